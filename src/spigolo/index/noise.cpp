@@ -1,0 +1,85 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/index/noise.cpp
+#include "spigolo/index/noise.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "spigolo/core/parallel.h"
+
+namespace spigolo {
+namespace {
+
+constexpr std::size_t plane_k = 8, quadric_k = 16;
+constexpr std::size_t max_looks = 20000;
+constexpr std::size_t grain = 256;
+// Lower quartile of sqrt(chi^2_m / m): m = 9 - 3 for the plane, 17 - 6 for the quadric.
+constexpr double plane_quartile = 0.7588, quadric_quartile = 0.8303;
+
+Eigen::Vector3d eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+// Rows: the point and its first k neighbors around their mean, in spacings, turned so that the last
+// column is the direction of least spread.
+Eigen::MatrixX3d in_own_frame(std::span<const Vec3> points, std::size_t i,
+                              std::span<const std::uint32_t> neighbors, double spacing) {
+  Eigen::MatrixX3d rows(static_cast<Eigen::Index>(neighbors.size() + 1), 3);
+  rows.row(0).setZero();
+  Eigen::Index r = 1;
+  for (const std::uint32_t j : neighbors)
+    rows.row(r++) = eigen((points[j] - points[i]) / spacing).transpose();
+  const Eigen::RowVector3d mean = rows.colwise().mean();
+  rows.rowwise() -= mean;
+  const Eigen::Matrix3d covariance = rows.transpose() * rows;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  return rows * solver.eigenvectors().rowwise().reverse();
+}
+
+double plane_deviation(const Eigen::MatrixX3d& rows) {
+  return std::sqrt(rows.col(2).squaredNorm() / static_cast<double>(rows.rows() - 3));
+}
+
+double quadric_deviation(const Eigen::MatrixX3d& rows) {
+  const auto u = rows.col(0).array(), v = rows.col(1).array();
+  Eigen::MatrixXd basis(rows.rows(), 6);
+  basis.col(0).setOnes();
+  basis.col(1) = u;
+  basis.col(2) = v;
+  basis.col(3) = u * u;
+  basis.col(4) = u * v;
+  basis.col(5) = v * v;
+  const Eigen::VectorXd residual =
+      rows.col(2) - basis * basis.colPivHouseholderQr().solve(rows.col(2));
+  return std::sqrt(residual.squaredNorm() / static_cast<double>(rows.rows() - 6));
+}
+
+double lower_quartile(std::vector<double>& values) {
+  const auto it = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
+  std::nth_element(values.begin(), it, values.end());
+  return *it;
+}
+
+}  // namespace
+
+double estimate_noise(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
+                      const Spacing& spacing, const Job& job) {
+  if (neighborhoods.k < quadric_k || points.size() < 4 * quadric_k) return 0;
+  const std::size_t looks = std::min(points.size(), max_looks);
+  std::vector<double> plane(looks), quadric(looks);
+  parallel_for(job, "", looks, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t look = begin; look < end; ++look) {
+      const std::size_t i = look * points.size() / looks;
+      const auto row = neighborhoods.of(i);
+      const double s = spacing.of_point[i];
+      plane[look] = plane_deviation(in_own_frame(points, i, row.first(plane_k), s));
+      quadric[look] = quadric_deviation(in_own_frame(points, i, row.first(quadric_k), s));
+    }
+  });
+  return std::min(lower_quartile(plane) / plane_quartile,
+                  lower_quartile(quadric) / quadric_quartile);
+}
+
+}  // namespace spigolo

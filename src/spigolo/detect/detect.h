@@ -25,7 +25,7 @@ struct DetectOptions {
   std::size_t k = 20;         // neighbors of a point, 4 to 64
   double sigma = 0.1;         // [rad] clusters closer than this merge; in (0, pi/2]
   double flatness = 0.15;     // share of a right angle, 0 to 1; normals spread less: flat
-  double min_cluster = 0.12;  // share of the triangles, 0 to 0.5; smaller clusters are noise
+  double min_cluster = 0.15;  // share of the triangles, 0 to 0.5; smaller clusters are noise
 };
 
 struct Detection {

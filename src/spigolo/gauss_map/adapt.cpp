@@ -12,7 +12,8 @@
 namespace spigolo {
 namespace {
 
-constexpr std::size_t grain = 256;      // points
+constexpr std::size_t grain = 256;  // points
+constexpr std::uint8_t max_steps = 250;
 constexpr std::size_t test_grain = 32;  // candidates: each costs a clustering
 
 // Test of point i with the first k of its neighbors.
@@ -40,11 +41,9 @@ class Adaptation {
     for (std::uint32_t i = 0; i < points.size(); ++i)
       if (is_sharp(i)) candidates_.push_back(i);
     wanted_.assign(points.size(), 0);
-    const double sigma_steps =
-        std::log(options.max_sigma / options.test.sigma) / std::log(options.sigma_growth);
-    most_steps_ = static_cast<std::uint8_t>(std::clamp(
-        std::max(sigma_steps, static_cast<double>(k_ > options.min_k ? k_ - options.min_k : 0)),
-        0.0, 250.0));
+    while (most_steps_ < max_steps && k_after(most_steps_) > options_.min_k &&
+           sigma_after(most_steps_) < options_.max_sigma)
+      ++most_steps_;
   }
 
   // One round on a snapshot of the flags; false when no neighborhood is overrated any more.

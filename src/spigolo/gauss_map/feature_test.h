@@ -18,7 +18,7 @@ namespace spigolo {
 struct FeatureTestOptions {
   double sigma = 0.1;  // [rad] clusters closer than this merge; in (0, pi/2]; larger finds fewer
   double flatness = 0.15;     // share of a right angle; a smaller spread of normals means flat
-  double min_cluster = 0.12;  // share of the triangles; smaller clusters are noise
+  double min_cluster = 0.15;  // share of the triangles; smaller clusters are noise
   int max_clusters = 4;       // more than this many is noise, not a corner
 };
 

@@ -107,6 +107,26 @@ TEST(Clustering, SignsOfTheNormalsDoNotMatter) {
   EXPECT_EQ(a.cluster, b.cluster);
 }
 
+// Ending early must never change whether a cluster that large exists.
+TEST(Clustering, DominantClusterIsFoundIfAndOnlyIfThereIsOne) {
+  Random random(34);
+  Clustering whole, early;
+  int found = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const GaussMap map = roof(12, random.uniform(0, 0.4), random.uniform(0, 0.1), random);
+    const std::size_t dominant = map.size * 7 / 10;
+    cluster_normals(map, 0.3, whole);
+    cluster_normals(map, 0.3, early, dominant);
+    const auto largest = [](const Clustering& c) {
+      return *std::max_element(c.size.begin(), c.size.end());
+    };
+    EXPECT_EQ(largest(whole) >= dominant, largest(early) >= dominant) << trial;
+    found += largest(whole) >= dominant;
+  }
+  EXPECT_GT(found, 20);
+  EXPECT_LT(found, 180);
+}
+
 TEST(Clustering, EmptyAndSingle) {
   Clustering clustering;
   GaussMap map;

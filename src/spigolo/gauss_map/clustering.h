@@ -28,9 +28,12 @@ struct Clustering {
 /// Merges the normals of `map` by mean linkage (3.5) of the axial distance (3.4) until the closest
 /// two clusters are more than sigma [rad] apart. Exact: the cut of the dendrogram at sigma. Mean
 /// linkage is reducible (a merge brings no cluster closer to a third than its nearer half was), so
-/// nearest- neighbor chains find the same tree as always merging the closest pair (Murtagh 1983),
+/// nearest-neighbor chains find the same tree as always merging the closest pair (Murtagh 1983),
 /// and a cluster whose nearest neighbor is beyond sigma is final and leaves the search. Ties are
 /// decided by the order of the normals.
-void cluster_normals(const GaussMap& map, double sigma, Clustering& result);
+/// dominant: ends early once a cluster has this many normals (it is part of the exact result; the
+/// others are left as they stand then), for callers who need to know no more.
+void cluster_normals(const GaussMap& map, double sigma, Clustering& result,
+                     std::size_t dominant = ~std::size_t{0});
 
 }  // namespace spigolo

@@ -19,6 +19,9 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+// Rows are padded to 64 floats, which are whole rounds of four of these vectors.
+using RowTag = hn::CappedTag<float, 16>;
+
 // arccos on [0, 1] within 2e-8 (Abramowitz, Stegun 4.4.46).
 template <class D, class V = hn::Vec<D>>
 V arc_cosine(D d, V x) {
@@ -31,7 +34,7 @@ V arc_cosine(D d, V x) {
 
 // Row i: the axial angles (3.4) of normal i to all others; infinite to itself and beyond the last.
 void angles_to_all(const GaussMap& map, std::size_t i, std::size_t stride, float* row) {
-  const hn::ScalableTag<float> d;
+  const RowTag d;
   const auto ax = hn::Set(d, map.x[i]), ay = hn::Set(d, map.y[i]), az = hn::Set(d, map.z[i]);
   const auto one = hn::Set(d, 1.0f);
   for (std::size_t j = 0; j < stride; j += hn::Lanes(d)) {
@@ -51,24 +54,30 @@ struct Nearest {
 
 // The nearest living cluster, the first of equals. Dead ones carry an infinity in `dead`.
 Nearest nearest_in_row(const float* row, const float* dead, std::size_t stride) {
-  const hn::ScalableTag<float> d;
-  auto smallest = hn::Set(d, std::numeric_limits<float>::infinity());
-  for (std::size_t j = 0; j < stride; j += hn::Lanes(d))
-    smallest = hn::Min(smallest, hn::Add(hn::LoadU(d, row + j), hn::LoadU(d, dead + j)));
-  const float least = hn::GetLane(hn::MinOfLanes(d, smallest));
-  const auto target = hn::Set(d, least);
-  for (std::size_t j = 0; j < stride; j += hn::Lanes(d)) {
-    const auto here = hn::Add(hn::LoadU(d, row + j), hn::LoadU(d, dead + j));
-    const auto lane = hn::FindFirstTrue(d, hn::Eq(here, target));
-    if (lane >= 0) return {static_cast<std::uint32_t>(j + static_cast<std::size_t>(lane)), least};
+  const RowTag d;
+  const std::size_t lanes = hn::Lanes(d);
+  const auto at = [&](std::size_t j) {
+    return hn::Add(hn::LoadU(d, row + j), hn::LoadU(d, dead + j));
+  };
+  auto least = at(0), least1 = at(lanes), least2 = at(2 * lanes), least3 = at(3 * lanes);
+  for (std::size_t j = 4 * lanes; j < stride; j += 4 * lanes) {  // four chains hide the latency
+    least = hn::Min(least, at(j));
+    least1 = hn::Min(least1, at(j + lanes));
+    least2 = hn::Min(least2, at(j + 2 * lanes));
+    least3 = hn::Min(least3, at(j + 3 * lanes));
   }
-  return {0, std::numeric_limits<float>::infinity()};
+  const auto all = hn::MinOfLanes(d, hn::Min(hn::Min(least, least1), hn::Min(least2, least3)));
+  const float distance = hn::GetLane(all);
+  if (!(distance < std::numeric_limits<float>::infinity())) return {0, distance};
+  for (std::size_t j = 0;; j += lanes)
+    if (const auto lane = hn::FindFirstTrue(d, hn::Eq(at(j), all)); lane >= 0)
+      return {static_cast<std::uint32_t>(j + static_cast<std::size_t>(lane)), distance};
 }
 
 // (3.5) after a merge: the mean over both halves, weighted by their normals.
 void average_rows(float* into, const float* from, float weight_into, float weight_from,
                   std::size_t stride) {
-  const hn::ScalableTag<float> d;
+  const RowTag d;
   const float total = weight_into + weight_from;
   const auto a = hn::Set(d, weight_into / total), b = hn::Set(d, weight_from / total);
   for (std::size_t j = 0; j < stride; j += hn::Lanes(d)) {
@@ -82,11 +91,12 @@ void average_rows(float* into, const float* from, float weight_into, float weigh
 // changed of two clusters has their distance right, so a stale row copies it from there.
 class Merger {
  public:
-  Merger(Clustering& c, std::size_t n, float sigma) : c_(c), n_(n), sigma_(sigma) {}
+  Merger(Clustering& c, std::size_t n, float sigma, std::size_t dominant)
+      : c_(c), n_(n), sigma_(sigma), dominant_(dominant) {}
 
   void run() {
-    for (std::uint32_t start = 0; start < n_; ++start)
-      while (c_.dead[start] == 0) follow_chain(start);
+    for (std::uint32_t start = 0; start < n_ && !decided_; ++start)
+      while (c_.dead[start] == 0 && !decided_) follow_chain(start);
   }
 
  private:
@@ -94,7 +104,7 @@ class Merger {
 
   void follow_chain(std::uint32_t start) {
     c_.chain.assign(1, start);
-    while (!c_.chain.empty()) {
+    while (!c_.chain.empty() && !decided_) {
       const std::uint32_t top = c_.chain.back();
       refresh(top);
       Nearest nearest = nearest_in_row(row(top), c_.dead.data(), c_.stride);
@@ -128,6 +138,7 @@ class Merger {
                  static_cast<float>(c_.weight[from]), c_.stride);
     row(into)[into] = std::numeric_limits<float>::infinity();
     c_.weight[into] += c_.weight[from];
+    decided_ = c_.weight[into] >= dominant_;
     c_.parent[from] = into;
     c_.dead[from] = std::numeric_limits<float>::infinity();
     std::erase_if(c_.merged, [&](std::uint32_t m) { return m == into || m == from; });
@@ -138,13 +149,15 @@ class Merger {
   Clustering& c_;
   std::size_t n_;
   float sigma_;
+  std::size_t dominant_;
+  bool decided_ = false;
   std::uint32_t now_ = 0;
 };
 
-void merge_clusters(const GaussMap& map, float sigma, Clustering& c) {
+void merge_clusters(const GaussMap& map, float sigma, std::size_t dominant, Clustering& c) {
   for (std::size_t i = 0; i < map.size; ++i)
     angles_to_all(map, i, c.stride, c.distance.data() + i * c.stride);
-  Merger(c, map.size, sigma).run();
+  Merger(c, map.size, sigma, dominant).run();
 }
 
 }  // namespace HWY_NAMESPACE
@@ -192,9 +205,9 @@ void number_clusters(std::size_t n, Clustering& c) {
 
 HWY_EXPORT(merge_clusters);
 
-void cluster_normals(const GaussMap& map, double sigma, Clustering& result) {
+void cluster_normals(const GaussMap& map, double sigma, Clustering& result, std::size_t dominant) {
   prepare(map.size, result);
-  HWY_DYNAMIC_DISPATCH(merge_clusters)(map, static_cast<float>(sigma), result);
+  HWY_DYNAMIC_DISPATCH(merge_clusters)(map, static_cast<float>(sigma), dominant, result);
   number_clusters(map.size, result);
 }
 

@@ -55,8 +55,10 @@ FeatureTest test_point(const Vec3& p, std::span<const Vec3> neighbors,
   if (triangles < 3) return result;
   result.verdict = FeatureVerdict::flat;
   if (normal_spread(scratch.map).spread < options.flatness * half_pi) return result;
-  cluster_normals(scratch.map, options.sigma, scratch.clustering);  // (3.4), (3.5)
   const double smallest = std::max(2.0, options.min_cluster * static_cast<double>(triangles));
+  // A cluster so large that no second one can be: the point is smooth, whatever else would merge.
+  const auto dominant = static_cast<std::size_t>(static_cast<double>(triangles) - smallest) + 1;
+  cluster_normals(scratch.map, options.sigma, scratch.clustering, dominant);  // (3.4), (3.5)
   const Significant significant = significant_clusters(scratch.clustering, smallest);
   result.clusters = significant.count;
   result.verdict = FeatureVerdict::smooth;

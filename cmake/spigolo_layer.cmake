@@ -12,6 +12,8 @@ function(spigolo_target target)
   # -ffp-contract=off: the same bits on every instruction set, fused multiply-add or not
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion -Werror
                                            -ffp-contract=off)
+  # gcc 12 sees overlaps in std::string where there are none (gcc bug 105651)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O3>)
   if(SPIGOLO_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${SPIGOLO_SANITIZE}
@@ -32,6 +34,9 @@ function(spigolo_layer name)
     target_link_libraries(spigolo_${name} PUBLIC spigolo_${layer})
   endforeach()
   foreach(library IN LISTS ARG_PRIVATE)
+    if(library STREQUAL "Eigen3::Eigen") # headers only: whoever links the layer needs none of it
+      set(library $<BUILD_INTERFACE:${library}>)
+    endif()
     target_link_libraries(spigolo_${name} PRIVATE ${library})
   endforeach()
   spigolo_target(spigolo_${name})

@@ -28,9 +28,28 @@ void require(bool sound, const char* message) {
 
 void check(const DetectOptions& o) {
   require(o.k >= 4 && o.k <= 64, "k must be between 4 and 64 neighbors");
-  require(o.sigma > 0 && o.sigma <= half_pi, "sigma must be above 0 and at most pi/2 = 1.5708 rad");
+  require(o.sigma == from_noise || (o.sigma > 0 && o.sigma <= half_pi),
+          "sigma must be above 0 and at most pi/2 = 1.5708 rad");
   require(o.flatness >= 0 && o.flatness <= 1, "flatness must be between 0 and 1");
-  require(o.min_cluster >= 0 && o.min_cluster <= 0.5, "min-cluster must be between 0 and 0.5");
+  require(o.min_cluster == from_noise || (o.min_cluster >= 0 && o.min_cluster <= 0.5),
+          "min-cluster must be between 0 and 0.5");
+}
+
+// The thesis starts with sigma 0.1 rad, which holds without noise; with noise the normals of one
+// sheet spread wider than that and neither it nor the smallest cluster can stay
+// (docs/detection.md).
+FeatureTestOptions for_noise(double noise, const DetectOptions& given) {
+  struct Row {
+    double up_to, sigma, min_cluster;  // [spacings], [rad], share
+  };
+  constexpr Row rows[] = {{0.03, 0.1, 0.15}, {0.1, 0.6, 0.18}, {infinity, 0.9, 0.22}};
+  const Row& row = *std::find_if(std::begin(rows), std::end(rows),
+                                 [&](const Row& r) { return noise <= r.up_to; });
+  FeatureTestOptions test;
+  test.sigma = given.sigma == from_noise ? row.sigma : given.sigma;
+  test.min_cluster = given.min_cluster == from_noise ? row.min_cluster : given.min_cluster;
+  test.flatness = given.flatness;
+  return test;
 }
 
 // Whether all points lie within a billionth of the cloud's size of one line.
@@ -136,7 +155,9 @@ Detection detect(std::span<const Vec3> points, const DetectOptions& options, con
   result.noise = estimate_noise(cloud.points, neighborhoods, spacing, job);
   result.seconds_index = watch.lap();
 
-  const FeatureTestOptions test{options.sigma, options.flatness, options.min_cluster};
+  const FeatureTestOptions test = for_noise(result.noise, options);
+  result.sigma = test.sigma;
+  result.min_cluster = test.min_cluster;
   AdaptOptions adapt;
   adapt.k = result.k;
   adapt.test = test;

@@ -20,23 +20,27 @@ enum class DetectMethod : std::uint8_t {
   gauss_map_global,  // thesis §3.4, one sigma and one k for all points
 };
 
+/// A parameter that detect() chooses by the noise it finds in the cloud.
+inline constexpr double from_noise = -1;
+
 struct DetectOptions {
   DetectMethod method = DetectMethod::gauss_map;
-  std::size_t k = 20;         // neighbors of a point, 4 to 64
-  double sigma = 0.1;         // [rad] clusters closer than this merge; in (0, pi/2]
-  double flatness = 0.15;     // share of a right angle, 0 to 1; normals spread less: flat
-  double min_cluster = 0.15;  // share of the triangles, 0 to 0.5; smaller clusters are noise
+  std::size_t k = 20;               // neighbors of a point, 4 to 64
+  double sigma = from_noise;        // [rad] clusters closer than this merge; in (0, pi/2]
+  double flatness = 0.15;           // share of a right angle, 0 to 1; normals spread less: flat
+  double min_cluster = from_noise;  // share of the triangles, 0 to 0.5; smaller clusters are noise
 };
 
 struct Detection {
-  Features features;           // one entry per input point, in input order
-  double spacing = 0;          // of the cloud, in the units of the input
-  double noise = 0;            // standard deviation across the surface, in spacings
-  std::size_t duplicates = 0;  // input points that repeat a place; they share its verdict
-  std::size_t non_finite = 0;  // input points with NaN or infinity; labelled surface
-  std::size_t degenerate = 0;  // places whose neighborhood spans no surface
-  std::size_t candidates = 0;  // places that passed the first round of clustering
-  std::size_t k = 0;           // neighbors used; less than asked for in tiny clouds
+  Features features;                  // one entry per input point, in input order
+  double spacing = 0;                 // of the cloud, in the units of the input
+  double noise = 0;                   // standard deviation across the surface, in spacings
+  std::size_t duplicates = 0;         // input points that repeat a place; they share its verdict
+  std::size_t non_finite = 0;         // input points with NaN or infinity; labelled surface
+  std::size_t degenerate = 0;         // places whose neighborhood spans no surface
+  std::size_t candidates = 0;         // places that passed the first round of clustering
+  std::size_t k = 0;                  // neighbors used; less than asked for in tiny clouds
+  double sigma = 0, min_cluster = 0;  // used: given or chosen
   double seconds_index = 0, seconds_detect = 0;
   std::vector<std::string> warnings;
 };

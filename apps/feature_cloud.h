@@ -1,0 +1,20 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// apps/feature_cloud.h - verdicts as attributes of a cloud, as detect writes them
+#pragma once
+
+#include "spigolo/core/features.h"
+#include "spigolo/core/point_cloud.h"
+
+namespace spigolo {
+
+/// red green blue by kind, quality, scalar_kind, scalar_angle [degrees], scalar_convex,
+/// scalar_curve, edge_x edge_y edge_z; then the attributes the cloud came with, except those of
+/// these names.
+PointCloud with_features(PointCloud cloud, const Features& features);
+
+/// The kinds in an attribute of such a cloud; anything that is no kind counts as surface.
+std::vector<PointKind> kinds_of(const Attribute& attribute);
+
+}  // namespace spigolo

@@ -1,0 +1,81 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// apps/info.cpp - spigolo info: what a file holds
+#include <algorithm>
+#include <array>
+
+#include "files.h"
+#include "report.h"
+#include "run.h"
+#include "spigolo/core/error.h"
+#include "spigolo/index/summary.h"
+#include "verbs.h"
+
+namespace spigolo {
+namespace {
+
+constexpr std::size_t bytes_per_point = 250;
+
+const VerbHelp help = {"info",
+                       "What a file holds: counts, bounds, spacing, noise estimate, attributes.",
+                       "spigolo info scan.ply"};
+
+void refuse_cad(const std::string& path) {
+  constexpr std::array<const char*, 4> cad = {".step", ".stp", ".iges", ".igs"};
+  const std::string extension = lower_extension(path);
+  if (std::find(cad.begin(), cad.end(), extension) != cad.end())
+    throw InputError(path, "",
+                     "is a CAD file, and this build has no CAD reader; save it as .stl, .obj or "
+                     ".ply from the CAD program");
+}
+
+Json info_json(const std::string& path, const ReadReport& seen, const TriangleMesh& mesh,
+               const CloudSummary& summary) {
+  Json json = {{"file", path}, {"format", seen.format}, {"encoding", seen.encoding}};
+  if (!seen.version.empty()) json["format_version"] = seen.version;
+  json.update(to_json(summary));
+  json["faces"] = seen.faces;
+  json["triangles"] = mesh.triangles.size();
+  json["attributes"] = attributes_json(mesh.vertices);
+  return json;
+}
+
+std::string info_text(const std::string& path, const ReadReport& seen, const TriangleMesh& mesh,
+                      const CloudSummary& summary) {
+  std::string text = "file        " + path + "\nformat      " + seen.format;
+  for (const std::string& detail : {seen.version, seen.encoding})
+    if (!detail.empty()) text += ", " + detail;
+  text += "\n" + summary_text(summary);
+  if (seen.faces > 0)
+    text += "faces       " + count_text(seen.faces) + " (" + count_text(mesh.triangles.size()) +
+            " triangles)\n";
+  std::string names;
+  for (const Attribute& a : mesh.vertices.attributes)
+    names += (names.empty() ? "" : ", ") + a.name + " " + type_name(a.type);
+  return text + "attributes  " + (names.empty() ? "none" : names) + "\n";
+}
+
+}  // namespace
+
+void run_info(const std::vector<std::string>& arguments) {
+  CommonOptions common;
+  std::string path;
+  CommandLine line(help, common);
+  line.app().add_option("FILE", path, "cloud or mesh; - is standard input")->required();
+  if (!line.parse(arguments)) return;
+  refuse_cad(path);
+
+  Run run(common);
+  ReadReport seen;
+  const TriangleMesh mesh = read_surface(path, run, seen);
+  warn(seen, path, run);
+  run.check_memory(mesh.vertices.size(), bytes_per_point);
+  const CloudSummary summary = summarize(mesh.vertices.points, run.job());
+  Json json = info_json(path, seen, mesh, summary);
+  json["seconds"] = {{"total", run.total_seconds()}};
+  save_parameters(common, help, line.parameters());
+  run.print(json, info_text(path, seen, mesh, summary));
+}
+
+}  // namespace spigolo

@@ -1,0 +1,39 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// bench/report.cpp
+#include "report.h"
+
+#include <cstdio>
+
+namespace spigolo::bench {
+namespace {
+
+std::string row_of(const std::vector<std::string>& cells) {
+  std::string row = "|";
+  for (const std::string& cell : cells) row += " " + cell + " |";
+  return row + "\n";
+}
+
+}  // namespace
+
+std::string number(double value, int digits) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, "%.*f", digits, value);
+  return buffer;
+}
+
+void Report::heading(int level, const std::string& text) {
+  out_ << std::string(static_cast<std::size_t>(level), '#') << ' ' << text << "\n\n";
+}
+
+void Report::text(const std::string& paragraph) { out_ << paragraph << "\n\n"; }
+
+void Report::table(const std::vector<std::string>& head,
+                   const std::vector<std::vector<std::string>>& rows) {
+  out_ << row_of(head) << row_of(std::vector<std::string>(head.size(), "---"));
+  for (const auto& row : rows) out_ << row_of(row);
+  out_ << "\n";
+}
+
+}  // namespace spigolo::bench

@@ -1,0 +1,20 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// bench/sections.h - one function a section of docs/results.md
+#pragma once
+
+#include <filesystem>
+
+#include "report.h"
+
+namespace spigolo::bench {
+
+void thesis_tables(Report& report);    // tables 1 and 2, section 3.7.1, figure 26
+void off_the_lattice(Report& report);  // what the thesis could not measure
+void speed(Report& report, const std::filesystem::path& data);  // data may be empty
+/// Files of the folder `data` (see docs/benchmarks.md); pictures go to `pictures`.
+void real_clouds(Report& report, const std::filesystem::path& data,
+                 const std::filesystem::path& pictures);
+
+}  // namespace spigolo::bench

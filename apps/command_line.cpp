@@ -5,12 +5,11 @@
 #include "command_line.h"
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "spigolo/core/error.h"
 #include "spigolo/io/atomic_file.h"
+#include "spigolo/io/input_bytes.h"
 #include "suggest.h"
 
 namespace spigolo {
@@ -31,11 +30,9 @@ std::string long_name(const CLI::Option* option) {
 }
 
 Json parse_json(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file, "", "cannot be opened; check the path of --params");
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const FileBytes bytes(file);
   try {
-    Json json = Json::parse(text);
+    Json json = Json::parse(bytes.view().text());
     if (json.is_object()) return json;
   } catch (const Json::parse_error& error) {
     throw InputError(file, "byte " + std::to_string(error.byte),

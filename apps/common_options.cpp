@@ -28,7 +28,7 @@ int unit_power(std::string unit) {
   if (unit.ends_with("B")) unit.pop_back();
   if (unit.empty()) return 0;
   const std::size_t at = std::string("KMGT").find(unit);
-  return at == std::string::npos ? -1 : static_cast<int>(at) + 1;
+  return unit.size() > 1 || at == std::string::npos ? -1 : static_cast<int>(at) + 1;
 }
 
 }  // namespace

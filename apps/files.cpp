@@ -46,10 +46,11 @@ FileFormat output_format(const std::string& path, FileFormat of_stdout) {
 void write_surface(const std::string& path, FileFormat format, const TriangleMesh& mesh, Run& run,
                    const WriteOptions& options) {
   const bool with_faces = !mesh.triangles.empty() && holds_faces(format);
+  const Job& job = run.job();  // from here on an interrupt waits until the temporary file is gone
   AtomicFile out(path);
   const WriteReport report = with_faces ? write_mesh(out, format, mesh, options)
                                         : write_cloud(out, format, mesh.vertices, options);
-  run.job().check();
+  job.check();
   out.commit();
   if (!mesh.triangles.empty() && !with_faces)
     run.warn(path + " has no place for faces: " + count_text(mesh.triangles.size()) +

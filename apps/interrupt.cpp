@@ -46,7 +46,7 @@ void handle_with(void (*handler)(int), int flags) {
 void exit_on_interrupt() { handle_with(exit_now, 0); }
 
 std::stop_token stop_on_interrupt() {
-  const std::stop_token token = source().get_token();  // made before a handler needs it
+  std::stop_token token = source().get_token();  // made before a handler needs it
   handle_with(request_stop, SA_RESTART | static_cast<int>(SA_RESETHAND));
   return token;
 }

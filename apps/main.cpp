@@ -66,8 +66,8 @@ std::string general_help() {
 [[noreturn]] void unknown_verb(const std::string& name) {
   if (std::find(later_verbs.begin(), later_verbs.end(), name) != later_verbs.end())
     throw UsageError("this version (" SPIGOLO_VERSION ") does not have '" + name + "' yet");
-  std::vector<std::string> names;
-  for (const Verb& verb : verbs) names.emplace_back(verb.name);
+  std::vector<std::string> names(verbs.size());
+  std::transform(verbs.begin(), verbs.end(), names.begin(), [](const Verb& v) { return v.name; });
   const bool option = name.starts_with("-");
   throw UsageError(option ? "the verb comes first, then options like '" + name + "'"
                           : "unknown verb '" + name + "'" + suggestion(name, names));
@@ -104,6 +104,8 @@ int fail(int status, const std::string& message) {
 int run(const Arguments& arguments) {
   try {
     dispatch(arguments);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      return fail(internal, "standard output cannot be written");
     return done;
   } catch (const UsageError& error) {
     return fail(usage, error.what() + help_hint(arguments));
@@ -115,6 +117,8 @@ int run(const Arguments& arguments) {
     return fail(out_of_memory, error.what());
   } catch (const Cancelled&) {
     return fail(status_cancelled, "cancelled; no output written");
+  } catch (const Error& error) {
+    return fail(internal, error.what());
   } catch (const std::bad_alloc&) {
     return fail(out_of_memory, "out of memory; thin the cloud or use a larger machine");
   } catch (const std::exception& error) {

@@ -129,6 +129,8 @@ std::vector<Panel> read_panels(const RenderCommand& c, Run& run) {
     const TriangleMesh mesh = read_surface(c.files[i], run, seen);
     warn(seen, c.files[i], run);
     run.check_memory(mesh.vertices.size(), bytes_per_point);
+    if (bounding_box(mesh.vertices.points).empty())
+      run.warn(c.files[i] + " has no point with finite coordinates; there is nothing to see of it");
     Scene scene = make_scene(mesh, c.scene);
     if (c.overlay && i > 0)
       merge(panels.front().scene, std::move(scene));

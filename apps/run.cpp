@@ -67,8 +67,10 @@ void Run::check_file_size(const std::filesystem::path& file) const {
 
 void Run::check_memory(std::size_t points, std::size_t bytes_per_point) const {
   const std::uint64_t limit = memory_limit(common_);
-  if (points > limit / bytes_per_point)
-    over_limit("a cloud of " + std::to_string(points) + " points", points * bytes_per_point, limit);
+  if (points <= limit / bytes_per_point) return;
+  const bool overflows = points > UINT64_MAX / bytes_per_point;
+  over_limit("a cloud of " + std::to_string(points) + " points",
+             overflows ? UINT64_MAX : points * bytes_per_point, limit);
 }
 
 void Run::print(Json json, const std::string& summary, bool data_on_stdout) {

@@ -33,6 +33,7 @@ ladder=(
 # prefix of a third-party header -> the files it may enter through
 doors=(
   'tbb/|src/spigolo/core/parallel.cpp'
+  'sanitizer/|src/spigolo/core/parallel.cpp'
   'zlib.h|src/spigolo/render/*.cpp src/spigolo/io/*.cpp tests/* fuzz/*'
   'hwy/|src/*_simd.cpp src/*-inl.h'
   'Eigen/|src/*.cpp src/*-inl.h tests/* bench/*'

@@ -82,7 +82,8 @@ TEST_F(ProgramTest, valuesOutOfRangeAreUsageErrors) {
       {"--flatness", "1.1"},  {"--min-cluster", "0.6"},
       {"--method", "sheets"}, {"--threads", "0"},
       {"--threads", "two"},   {"--progress", "maybe"},
-      {"--memory", "lots"},   {"--seed", "-1"}};
+      {"--memory", "lots"},   {"--memory", "5MG"},
+      {"--seed", "-1"}};
   for (const auto& [option, value] : wrong) {
     const Outcome run = run_program({"detect", cube, "-o", path("out.ply"), option, value});
     EXPECT_EQ(run.status, 2) << option << " " << value << ": " << run.err;
@@ -142,8 +143,11 @@ TEST_F(ProgramTest, parameterFilesAreChecked) {
   EXPECT_EQ(status(R"({"verb": "detect"})"), 2);
   EXPECT_EQ(status(R"({"noise": )"), 3);
   EXPECT_EQ(status("[1]"), 3);
-  EXPECT_EQ(run_program({"synth", "cube", "-o", path("a.ply"), "--params", path("none")}).status,
-            3);
+  EXPECT_EQ(status(""), 3);
+  for (const char* no_file : {"none", "."}) {
+    const std::string params = path(no_file);
+    EXPECT_EQ(run_program({"synth", "cube", "-o", path("a.ply"), "--params", params}).status, 3);
+  }
 }
 
 TEST_F(ProgramTest, progressGoesToStderrAndIsErased) {

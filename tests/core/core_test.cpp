@@ -11,6 +11,7 @@
 #include "spigolo/core/parallel.h"
 #include "spigolo/core/point_cloud.h"
 #include "spigolo/core/random.h"
+#include "spigolo/core/symmetric3.h"
 #include "spigolo/core/triangle_mesh.h"
 
 namespace spigolo {
@@ -39,6 +40,26 @@ TEST(Geometry, BoxIgnoresPointsThatAreNotFinite) {
   EXPECT_EQ(box.min, (Vec3{0, 2, 1}));
   EXPECT_EQ(box.max, (Vec3{1, 5, 3}));
   EXPECT_TRUE(bounding_box({}).empty());
+}
+
+TEST(Symmetric3, ExtremeAxesAreEigenvectorsOfTheExtremeEigenvalues) {
+  Random random(43);
+  for (int trial = 0; trial < 500; ++trial) {
+    Symmetric3 m;
+    for (int i = 0; i < 1 + trial % 6; ++i) m.add(random.in_ball());
+    const PrincipalAxis large = largest_axis(m), small = smallest_axis(m);
+    const auto times = [&](const Vec3& v) {
+      return Vec3{m.xx * v.x + m.xy * v.y + m.xz * v.z, m.xy * v.x + m.yy * v.y + m.yz * v.z,
+                  m.xz * v.x + m.yz * v.y + m.zz * v.z};
+    };
+    EXPECT_LT(norm(times(large.axis) - large.axis * large.value), 1e-6 * large.value) << trial;
+    EXPECT_LT(norm(times(small.axis) - small.axis * small.value), 1e-6 * large.value) << trial;
+    for (int probe = 0; probe < 20; ++probe) {
+      const Vec3 v = random.on_sphere();
+      EXPECT_LE(dot(v, times(v)), large.value * (1 + 1e-9));
+      EXPECT_GE(dot(v, times(v)), small.value - 1e-9 * large.value);
+    }
+  }
 }
 
 // The generator's published first outputs for this state, so that no platform drifts.
@@ -93,9 +114,9 @@ TEST(Parallel, StopsAndPassesExceptionsOn) {
                             }),
                Cancelled);
   EXPECT_LT(calls, 1000);
-  EXPECT_THROW(parallel_for({}, "", 100, 1,
-                            [](std::size_t, std::size_t) { throw NoResultError("no"); }),
-               NoResultError);
+  EXPECT_THROW(
+      parallel_for({}, "", 100, 1, [](std::size_t, std::size_t) { throw NoResultError("no"); }),
+      NoResultError);
 }
 
 TEST(Parallel, ProgressRisesFromZeroToAtMostOne) {

@@ -92,27 +92,5 @@ TEST(NormalSpread, ClosedForms) {
   EXPECT_EQ(normal_spread(GaussMap{}).spread, 0);
 }
 
-TEST(PrincipalAxis, IsAnEigenvectorOfTheLargestEigenvalue) {
-  Random random(43);
-  for (int trial = 0; trial < 500; ++trial) {
-    Symmetric3 m;
-    for (int i = 0; i < 1 + trial % 6; ++i) {
-      const Vec3 v = random.in_ball();
-      m.xx += v.x * v.x, m.xy += v.x * v.y, m.xz += v.x * v.z;
-      m.yy += v.y * v.y, m.yz += v.y * v.z, m.zz += v.z * v.z;
-    }
-    const auto [axis, value] = principal_axis(m);
-    const auto times = [&](const Vec3& v) {
-      return Vec3{m.xx * v.x + m.xy * v.y + m.xz * v.z, m.xy * v.x + m.yy * v.y + m.yz * v.z,
-                  m.xz * v.x + m.yz * v.y + m.zz * v.z};
-    };
-    EXPECT_LT(norm(times(axis) - axis * value), 1e-6 * value) << trial;
-    for (int probe = 0; probe < 20; ++probe) {
-      const Vec3 v = random.on_sphere();
-      EXPECT_LE(dot(v, times(v)), value * (1 + 1e-9));
-    }
-  }
-}
-
 }  // namespace
 }  // namespace spigolo

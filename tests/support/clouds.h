@@ -29,8 +29,7 @@ inline std::vector<Vec3> cubic_lattice(int n) {
   std::vector<Vec3> points;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
-      for (int k = 0; k < n; ++k)
-        points.push_back({double(i), double(j), double(k)});
+      for (int k = 0; k < n; ++k) points.push_back({double(i), double(j), double(k)});
   return points;
 }
 
@@ -92,13 +91,15 @@ inline std::vector<NamedPoints> hard_clouds() {
           {"clumps", clumps(3)},
           {"uneven", uneven(4)},
           {"far from zero", moved(random_sphere(1500, 5), {6e6, 5e6, 400})},
-          {"tiny", [] {
+          {"tiny",
+           [] {
              auto p = random_sphere(500, 6, 1e-30);
              return p;
            }()},
           {"huge", random_sphere(500, 7, 1e30)},
           {"repeated", repeated(square_lattice(25))},
-          {"line", [] {
+          {"line",
+           [] {
              std::vector<Vec3> p;
              for (int i = 0; i < 300; ++i) p.push_back({double(i), 2.0 * i, -1.0 * i});
              return p;

@@ -35,8 +35,8 @@ void validate(const Features& f) {
     const bool flat = smooth || f.kind[i] == PointKind::border;
     const bool sound = static_cast<std::size_t>(f.kind[i]) < point_kinds && f.angle[i] >= 0 &&
                        f.angle[i] <= pi && (!flat || f.angle[i] == 0) && f.strength[i] >= 0 &&
-                       f.strength[i] <= 1 && (!smooth || f.strength[i] == 0) &&
-                       f.convex[i] >= -1 && f.convex[i] <= 1 && f.curve[i] >= -1 &&
+                       f.strength[i] <= 1 && (!smooth || f.strength[i] == 0) && f.convex[i] >= -1 &&
+                       f.convex[i] <= 1 && f.curve[i] >= -1 &&
                        is_finite(f.crease_point[i]) == !smooth;
     if (!sound) throw Error("features: the entry of point " + std::to_string(i) + " is not sound");
   }

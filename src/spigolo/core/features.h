@@ -16,17 +16,17 @@ namespace spigolo {
 enum class PointKind : std::uint8_t { surface = 0, edge = 1, corner = 2, tip = 3, border = 4 };
 
 inline constexpr std::size_t point_kinds = 5;
-inline constexpr std::array<const char*, point_kinds> point_kind_names = {"surface", "edge",
-                                                                          "corner", "tip", "border"};
+inline constexpr std::array<const char*, point_kinds> point_kind_names = {
+    "surface", "edge", "corner", "tip", "border"};
 
 /// One entry per input point, in input order.
 struct Features {
   std::vector<PointKind> kind;
-  std::vector<double> angle;     // [rad] deviation from flat in [0, pi]; 0 for surface and border
-  std::vector<float> strength;   // in [0, 1]; 0 for surface
-  std::vector<std::int8_t> convex;   // 1 convex, -1 concave, 0 not known or not on an edge
-  std::vector<std::int32_t> curve;   // feature curve it belongs to, -1 if none
-  std::vector<Vec3> crease_point;    // nearest point on the crease; NaN for surface
+  std::vector<double> angle;    // [rad] deviation from flat in [0, pi]; 0 for surface and border
+  std::vector<float> strength;  // in [0, 1]; 0 for surface
+  std::vector<std::int8_t> convex;  // 1 convex, -1 concave, 0 not known or not on an edge
+  std::vector<std::int32_t> curve;  // feature curve it belongs to, -1 if none
+  std::vector<Vec3> crease_point;   // nearest point on the crease; NaN for surface
 
   std::size_t size() const { return kind.size(); }
   /// Makes n points of smooth surface.

@@ -72,7 +72,7 @@ inline double axial_angle(const Vec3& a, const Vec3& b) {
 inline Vec3 any_perpendicular(const Vec3& n) {
   const Vec3 axis = std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z) ? Vec3{1, 0, 0}
                     : std::abs(n.y) <= std::abs(n.z)                                 ? Vec3{0, 1, 0}
-                                                                                     : Vec3{0, 0, 1};
+                                                     : Vec3{0, 0, 1};
   return normalized(cross(n, axis));
 }
 

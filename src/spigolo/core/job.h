@@ -12,8 +12,8 @@
 
 namespace spigolo {
 
-/// Called now and then with the name of the running stage and its share done in [0, 1]; never by two
-/// threads at once. It must not throw.
+/// Called now and then with the name of the running stage and its share done in [0, 1]; never by
+/// two threads at once. It must not throw.
 using ProgressCallback = std::function<void(std::string_view stage, double share)>;
 
 /// Handed to everything that can take longer than a second. The result of a computation never

@@ -13,8 +13,32 @@
 #include <atomic>
 #include <mutex>
 
+#ifdef SPIGOLO_TSAN
+#include <sanitizer/tsan_interface.h>
+#endif
+
 namespace spigolo {
 namespace {
+
+// tbb is not built with the thread sanitizer. These tell it what tbb guarantees: what was written
+// before a loop is seen by its bodies, and what they wrote is seen after it.
+#ifdef SPIGOLO_TSAN
+void acquire(char& mark) { __tsan_acquire(&mark); }
+void release(char& mark) { __tsan_release(&mark); }
+#else
+void acquire(char&) {}
+void release(char&) {}
+#endif
+
+char fork_mark, join_mark;
+struct Loop {
+  Loop() { release(fork_mark); }
+  ~Loop() { acquire(join_mark); }
+};
+struct Range {
+  Range() { acquire(fork_mark); }
+  ~Range() { release(join_mark); }
+};
 
 // Reports the share done, at most once a percent, one thread at a time.
 class Reporter {
@@ -72,9 +96,11 @@ void parallel_for(const Job& job, std::string_view stage, std::size_t count, std
   const tbb::global_control allowance(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(thread_count(job)));
   tbb::task_arena arena(thread_count(job));
+  const Loop loop;
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks, 1),
                       [&](const tbb::blocked_range<std::size_t>& range) {
+                        const Range ordered;
                         for (std::size_t c = range.begin(); c != range.end(); ++c) run(c);
                       });
   });

@@ -14,8 +14,18 @@
 
 namespace spigolo {
 
-/// How a scalar is stored in files; in memory every value is a double, which holds them all exactly.
-enum class ScalarType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+/// How a scalar is stored in files; in memory every value is a double, which holds them all
+/// exactly.
+enum class ScalarType : std::uint8_t {
+  int8,
+  uint8,
+  int16,
+  uint16,
+  int32,
+  uint32,
+  float32,
+  float64
+};
 
 /// One named scalar per point.
 struct Attribute {

@@ -18,8 +18,8 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// Throws Error unless the vertices are valid and every triangle names three different vertices that
-/// exist.
+/// Throws Error unless the vertices are valid and every triangle names three different vertices
+/// that exist.
 void validate(const TriangleMesh& mesh);
 
 }  // namespace spigolo

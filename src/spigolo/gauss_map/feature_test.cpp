@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spigolo/core/symmetric3.h"
+
 namespace spigolo {
 namespace {
 
@@ -14,12 +16,9 @@ namespace {
 Vec3 cluster_normal(const GaussMap& map, const Clustering& clustering, std::uint32_t cluster) {
   Symmetric3 m;
   for (std::size_t t = 0; t < map.size; ++t) {
-    if (clustering.cluster[t] != cluster) continue;
-    const Vec3 n = map.normal(t);
-    m.xx += n.x * n.x, m.xy += n.x * n.y, m.xz += n.x * n.z;
-    m.yy += n.y * n.y, m.yz += n.y * n.z, m.zz += n.z * n.z;
+    if (clustering.cluster[t] == cluster) m.add(map.normal(t));
   }
-  return principal_axis(m).axis;
+  return largest_axis(m).axis;
 }
 
 // The two largest clusters, the first of equals, and how many are large enough to count.

@@ -40,15 +40,4 @@ struct NormalSpread {
 /// Of an empty map: axis z, spread 0.
 NormalSpread normal_spread(const GaussMap& map);
 
-/// Unit eigenvector of the largest eigenvalue of the symmetric matrix with these entries; `value`
-/// is that eigenvalue.
-struct PrincipalAxis {
-  Vec3 axis;
-  double value = 0;
-};
-struct Symmetric3 {
-  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-};
-PrincipalAxis principal_axis(const Symmetric3& m);
-
 }  // namespace spigolo

@@ -146,7 +146,7 @@ WriteReport write_cloud(const std::filesystem::path& path, const PointCloud& clo
                         const WriteOptions& options) {
   const FileFormat format = path == "-" ? FileFormat::xyz : file_format(path, FileUse::write_cloud);
   AtomicFile out(path);
-  const WriteReport report = write_cloud(out, format, cloud, options);
+  WriteReport report = write_cloud(out, format, cloud, options);
   out.commit();
   return report;
 }
@@ -179,7 +179,7 @@ WriteReport write_mesh(const std::filesystem::path& path, const TriangleMesh& me
                        const WriteOptions& options) {
   const FileFormat format = path == "-" ? FileFormat::ply : file_format(path, FileUse::write_mesh);
   AtomicFile out(path);
-  const WriteReport report = write_mesh(out, format, mesh, options);
+  WriteReport report = write_mesh(out, format, mesh, options);
   out.commit();
   return report;
 }

@@ -61,7 +61,7 @@ FileBytes::FileBytes(const std::filesystem::path& path)
   if (S_ISDIR(status.st_mode)) throw InputError(name_, "", "is a folder; name a file in it");
   const bool regular = S_ISREG(status.st_mode) && status.st_size > 0;
   read_all(file.number, regular ? static_cast<std::size_t>(status.st_size) : pipe_start);
-  if (size_ == 0) throw InputError(name_, "byte 0", "the file is empty; it should hold points");
+  if (size_ == 0) throw InputError(name_, "byte 0", "the file is empty; check how it was written");
 }
 
 // Doubles the room when more comes than expected: a pipe does not tell its length.

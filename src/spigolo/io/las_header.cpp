@@ -10,6 +10,7 @@
 
 #include "spigolo/core/error.h"
 #include "spigolo/io/las_layout.h"
+#include "spigolo/io/names.h"
 #include "spigolo/io/scalar.h"
 
 namespace spigolo {
@@ -140,6 +141,8 @@ class LasHeaderParser {
     const std::size_t size = known ? type_sizes[base] : options;
     if (size * numbers > header_.record - std::min(extra_offset_, header_.record))
       fail(descriptor, "the extra bytes do not fit into the point record; the file is damaged");
+    if (header_.extras.size() + numbers > max_columns)
+      fail(descriptor, "more than " + std::to_string(max_columns) + " extra numbers a point");
     if (!known) report_.skipped.push_back("extra bytes " + name);
     for (std::size_t n = 0; known && n < numbers; ++n) {
       LasExtra extra{numbers == 1 ? name : name + "_" + std::to_string(n), base,

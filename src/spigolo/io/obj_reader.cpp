@@ -45,7 +45,7 @@ class ObjReader {
     std::string whole;
     do {
       whole.append(line.substr(0, line.find_last_not_of('\\') + 1)) += ' ';
-    } while (line.size() > 0 && line.back() == '\\' && lines_.next(line));
+    } while (!line.empty() && line.back() == '\\' && lines_.next(line));
     return whole;
   }
 

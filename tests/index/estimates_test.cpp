@@ -67,6 +67,17 @@ TEST(Noise, MeasuresGaussianNoiseWithinAFifth) {
   }
 }
 
+// Two walls closer than the neighborhoods are wide: what lies on the other one is no noise.
+TEST(Noise, ThinWallsAreNotNoise) {
+  for (const double thickness : {1.2, 1.5, 2.5}) {
+    auto points = test::random_square(5000, 27);
+    for (Vec3& p : points) p *= std::sqrt(5000);
+    const auto other = test::moved(points, {0.3, 0.4, thickness});
+    points.insert(points.end(), other.begin(), other.end());
+    EXPECT_LT(estimate(points).noise, 1e-9) << thickness;
+  }
+}
+
 TEST(Estimates, TinyCloudsGiveZeroNotNonsense) {
   for (const auto& [name, points] : test::hard_clouds()) {
     const Estimates e = estimate(points);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -16,9 +17,15 @@ namespace {
 
 constexpr std::size_t plane_k = 8, quadric_k = 16;
 constexpr std::size_t max_looks = 20000;
+constexpr std::size_t halves_share = 4;  // one look in four is enough for the flattest halves
 constexpr std::size_t grain = 256;
 // Lower quartile of sqrt(chi^2_m / m): m = 9 - 3 for the plane, 17 - 6 for the quadric.
 constexpr double plane_quartile = 0.7588, quadric_quartile = 0.8303;
+
+// The flattest half of 16 neighbors, normal noise: measured on planes, 1.94 to 2.04 (no closed
+// form).
+constexpr double half_factor = 2.0;
+constexpr double needle_sine = 0.3;  // planes through thinner triangles say little
 
 Eigen::Vector3d eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
 
@@ -56,6 +63,26 @@ double quadric_deviation(const Eigen::MatrixX3d& rows) {
   return std::sqrt(residual.squaredNorm() / static_cast<double>(rows.rows() - 6));
 }
 
+// Median distance of the neighbors to the plane through the point and two of them that has the
+// smallest one: half of them may lie on other sheets.
+double half_deviation(std::span<const Vec3> points, std::size_t i,
+                      std::span<const std::uint32_t> neighbors, double spacing) {
+  std::array<Vec3, quadric_k> e;
+  for (std::size_t t = 0; t < e.size(); ++t) e[t] = (points[neighbors[t]] - points[i]) / spacing;
+  double least = infinity;
+  for (std::size_t a = 0; a < e.size(); ++a) {
+    for (std::size_t b = a + 1; b < e.size(); ++b) {
+      const Vec3 n = cross(e[a], e[b]), unit = normalized(n);
+      if (norm(n) < needle_sine * norm(e[a]) * norm(e[b])) continue;
+      std::array<double, quadric_k> off;
+      for (std::size_t t = 0; t < e.size(); ++t) off[t] = std::abs(dot(unit, e[t]));
+      std::nth_element(off.begin(), off.begin() + quadric_k / 2, off.end());
+      least = std::min(least, off[quadric_k / 2]);
+    }
+  }
+  return least;
+}
+
 double lower_quartile(std::vector<double>& values) {
   const auto it = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
   std::nth_element(values.begin(), it, values.end());
@@ -68,7 +95,7 @@ double estimate_noise(std::span<const Vec3> points, const Neighborhoods& neighbo
                       const Spacing& spacing, const Job& job) {
   if (neighborhoods.k < quadric_k || points.size() < 4 * quadric_k) return 0;
   const std::size_t looks = std::min(points.size(), max_looks);
-  std::vector<double> plane(looks), quadric(looks);
+  std::vector<double> plane(looks), quadric(looks), half((looks + halves_share - 1) / halves_share);
   parallel_for(job, "", looks, grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t look = begin; look < end; ++look) {
       const std::size_t i = look * points.size() / looks;
@@ -76,10 +103,12 @@ double estimate_noise(std::span<const Vec3> points, const Neighborhoods& neighbo
       const double s = spacing.of_point[i];
       plane[look] = plane_deviation(in_own_frame(points, i, row.first(plane_k), s));
       quadric[look] = quadric_deviation(in_own_frame(points, i, row.first(quadric_k), s));
+      if (look % halves_share == 0)
+        half[look / halves_share] = half_deviation(points, i, row.first(quadric_k), s);
     }
   });
-  return std::min(lower_quartile(plane) / plane_quartile,
-                  lower_quartile(quadric) / quadric_quartile);
+  return std::min({lower_quartile(plane) / plane_quartile,
+                   lower_quartile(quadric) / quadric_quartile, lower_quartile(half) * half_factor});
 }
 
 }  // namespace spigolo

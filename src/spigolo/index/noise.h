@@ -12,11 +12,13 @@
 
 namespace spigolo {
 
-/// Standard deviation of the samples across the surface, in spacings. The residuals of two local
-/// models are corrected for the freedom each fit has and taken at their lower quartile, where no
-/// crease is in the neighborhood: a plane through 9 points (errs on curved surfaces) and a quadric
-/// through 17 (errs on thin walls). Both err upward, so the smaller one counts.
-/// 0 if there are too few points. Looks at 20 000 points at most, evenly along the canonical order.
+/// Standard deviation of the samples across the surface, in spacings: the smallest of three local
+/// estimates, since each errs upward where its model does not hold. A plane through 9 points errs
+/// on curved surfaces, a quadric through 17 on thin walls, the flattest half of 16 neighbors (least
+/// median of squares over planes through the point) on strong curvature only. Each is taken at its
+/// lower quartile over the cloud, where no crease is near, and corrected for the freedom its fit
+/// has. 0 if there are too few points. Looks at 20 000 points at most, evenly along the canonical
+/// order.
 double estimate_noise(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                       const Spacing& spacing, const Job& job = {});
 

@@ -21,12 +21,12 @@ constexpr std::size_t bytes_per_point = 400;
 
 const VerbHelp help = {"detect",
                        "Label every point of a cloud: surface, edge, corner, tip or border.",
-                       "spigolo detect scan.ply -o features.ply --method gauss-map --k 20"};
+                       "spigolo detect scan.ply -o features.ply"};
 
 struct DetectCommand {
   CommonOptions common;
   std::string input, output;
-  std::string method = "gauss-map";
+  std::string method = "sheets";
   DetectOptions options;
 };
 
@@ -42,9 +42,12 @@ void declare(CommandLine& line, DetectCommand& c) {
       .add_option("-o,--output", c.output, "PLY file with the labels; - is standard output")
       ->required()
       ->type_name("OUT.ply");
-  line.parameter("--method", c.method, "gauss-map (local-adaptive) or gauss-map-global")
-      ->check(CLI::IsMember({"gauss-map", "gauss-map-global"}))
+  line.parameter("--method", c.method, "sheets, gauss-map (thesis, local-adaptive) or gauss-map-global")
+      ->check(CLI::IsMember({"sheets", "gauss-map", "gauss-map-global"}))
       ->type_name("NAME");
+  line.parameter("--sensitivity", c.options.sensitivity,
+                 "of sheets, 0 to 1: left fewer fillets, right more obtuse edges")
+      ->type_name("S");
   line.parameter("--k", c.options.k, "neighbors of a point, 4 to 64")->type_name("N");
   by_noise(line.parameter("--sigma", c.options.sigma,
                           "merge clusters closer than this; larger finds less"))
@@ -61,15 +64,16 @@ void check_door(DetectCommand& c) {
     throw UsageError("detect writes PLY: name the output " + c.output +
                      ".ply, and 'spigolo convert' it to another format");
   check_output(c.output, c.common);
-  c.options.method =
-      c.method == "gauss-map" ? DetectMethod::gauss_map : DetectMethod::gauss_map_global;
+  c.options.method = c.method == "sheets"      ? DetectMethod::sheets
+                     : c.method == "gauss-map" ? DetectMethod::gauss_map
+                                               : DetectMethod::gauss_map_global;
 }
 
 // What was chosen by the noise stands there as if it had been given.
 Json parameters_used(const CommandLine& line, const Detection& detection) {
   Json json = line.parameters();
-  json["sigma"] = detection.sigma;
-  json["min_cluster"] = detection.min_cluster;
+  if (detection.sigma > 0) json["sigma"] = detection.sigma;
+  if (detection.sigma > 0) json["min_cluster"] = detection.min_cluster;
   return json;
 }
 

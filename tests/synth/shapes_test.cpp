@@ -63,7 +63,7 @@ TEST_P(EveryShape, NearestPointOfACreaseAgreesWithDensePoints) {
   constexpr int steps = 4000;
   std::vector<Vec3> dense;
   double gap = 0;  // between consecutive dense points
-  for (const Crease& crease : shape.creases)
+  for (const ExactCrease& crease : shape.creases)
     for (int i = 0; i <= steps; ++i) {
       dense.push_back(crease.curve.at(static_cast<double>(i) / steps));
       if (i > 0) gap = std::max(gap, distance(dense[dense.size() - 2], dense.back()));
@@ -91,7 +91,7 @@ TEST_P(EveryShape, CreasesLieOnTwoPatchesBordersOnOne) {
     return n;
   };
   for (const double t : {0.03, 0.31, 0.5, 0.77}) {
-    for (const Crease& crease : shape.creases) {
+    for (const ExactCrease& crease : shape.creases) {
       EXPECT_EQ(patches_at(crease.curve.at(t)), 2);
       EXPECT_GT(crease.deviation(t), 0);
       EXPECT_LT(crease.deviation(t), pi);
@@ -114,7 +114,7 @@ Vec3 normal_near(const Patch& patch, const Vec3& p, double step) {
 TEST_P(EveryShape, CreasesHaveTheAngleOfTheirPatches) {
   const double near = 1e-3 * shape.radius;
   Random random(11);
-  for (const Crease& crease : shape.creases) {
+  for (const ExactCrease& crease : shape.creases) {
     const double t = 0.37;
     const Vec3 at = crease.curve.at(t);
     std::vector<Vec3> normals;
@@ -186,7 +186,7 @@ TEST(Shapes, CreasesAreCountedAndSigned) {
         Row{"cylinders", 4, 2, 0, 0}, Row{"fillet-box", 0, 0, 0, 0}, Row{"patch", 0, 0, 0, 4}}) {
     const Shape shape = make_shape({.shape = row.name});
     std::size_t convex = 0, concave = 0;
-    for (const Crease& crease : shape.creases) (crease.convex > 0 ? convex : concave) += 1;
+    for (const ExactCrease& crease : shape.creases) (crease.convex > 0 ? convex : concave) += 1;
     EXPECT_EQ(convex, row.convex) << row.name;
     EXPECT_EQ(concave, row.concave) << row.name;
     EXPECT_EQ(shape.corners.size(), row.corners) << row.name;

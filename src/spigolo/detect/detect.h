@@ -1,7 +1,7 @@
 // Copyright 2026 The spigolo authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// spigolo/detect/detect.h - which points of a raw cloud lie on sharp features (thesis chapter 3)
+// spigolo/detect/detect.h - which points of a raw cloud lie on sharp features
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,7 @@
 namespace spigolo {
 
 enum class DetectMethod : std::uint8_t {
+  sheets,            // smooth sheets fitted to each neighborhood, features where two or more cross
   gauss_map,         // thesis §3.6, local-adaptive
   gauss_map_global,  // thesis §3.4, one sigma and one k for all points
 };
@@ -24,7 +25,9 @@ enum class DetectMethod : std::uint8_t {
 inline constexpr double from_noise = -1;
 
 struct DetectOptions {
-  DetectMethod method = DetectMethod::gauss_map;
+  DetectMethod method = DetectMethod::sheets;
+  double sensitivity = 0.5;  // of sheets, 0 to 1: left fewer bends, right more obtuse edges
+  // The others are of the two methods of the thesis.
   std::size_t k = 20;               // neighbors of a point, 4 to 64
   double sigma = from_noise;        // [rad] clusters closer than this merge; in (0, pi/2]
   double flatness = 0.15;           // share of a right angle, 0 to 1; normals spread less: flat
@@ -40,7 +43,7 @@ struct Detection {
   std::size_t degenerate = 0;         // places whose neighborhood spans no surface
   std::size_t candidates = 0;         // places that passed the first round of clustering
   std::size_t k = 0;                  // neighbors used; less than asked for in tiny clouds
-  double sigma = 0, min_cluster = 0;  // used: given or chosen
+  double sigma = 0, min_cluster = 0;  // used by the thesis's methods: given or chosen
   double seconds_index = 0, seconds_detect = 0;
   std::vector<std::string> warnings;
 };

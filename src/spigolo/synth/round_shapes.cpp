@@ -14,7 +14,7 @@ Frame at_height(double z) { return {{0, 0, z}}; }
 
 Patch disk(const Frame& frame, double radius) { return planar_patch(frame, {{}, {}, radius}); }
 
-Crease rim(const Frame& frame, double radius, double deviation) {
+ExactCrease rim(const Frame& frame, double radius, double deviation) {
   return {circle(frame, radius), constant(deviation), 1};
 }
 
@@ -40,7 +40,7 @@ double mean_over_turn(const F& f) {
   return sum / steps;
 }
 
-Crease crossing_curve(const Crossing& c, int side) {
+ExactCrease crossing_curve(const Crossing& c, int side) {
   auto at = [c, side](double t) {
     const double a = 2 * pi * t;
     return Vec3{side * c.reach(a), c.thin * std::cos(a), c.thin * std::sin(a)};

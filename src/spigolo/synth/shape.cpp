@@ -21,7 +21,7 @@ double surface_distance(const Shape& shape, const Vec3& p) {
 CreaseFoot nearest_crease(const Shape& shape, const Vec3& p) {
   CreaseFoot best;
   for (std::size_t i = 0; i < shape.creases.size(); ++i) {
-    const Crease& crease = shape.creases[i];
+    const ExactCrease& crease = shape.creases[i];
     const double t = crease.curve.nearest(p);
     const Vec3 q = crease.curve.at(t);
     if (const double d = distance(p, q); d < best.distance)
@@ -32,7 +32,7 @@ CreaseFoot nearest_crease(const Shape& shape, const Vec3& p) {
 
 double edge_distance(const Shape& shape, const Vec3& p) {
   double best = tip_distance(shape, p);
-  for (const Crease& crease : shape.creases)
+  for (const ExactCrease& crease : shape.creases)
     best = std::min(best, distance(p, nearest_point(crease.curve, p)));
   return best;
 }

@@ -14,7 +14,7 @@
 namespace spigolo {
 
 /// A curve in which two smooth patches meet at an angle.
-struct Crease {
+struct ExactCrease {
   Curve curve;
   std::function<double(double t)> deviation;  // [rad] from flat, in (0, pi): pi - interior angle
   int convex = 1;                             // 1 convex, -1 concave
@@ -29,7 +29,7 @@ struct Corner {
 struct Shape {
   std::string name{};
   std::vector<Patch> patches{};
-  std::vector<Crease> creases{};
+  std::vector<ExactCrease> creases{};
   std::vector<Corner> corners{};
   std::vector<Vec3> tips{};      // of cones: sharp points on no crease
   std::vector<Curve> borders{};  // where an open surface ends; never features

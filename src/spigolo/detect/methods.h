@@ -1,0 +1,21 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/detect/methods.h - the methods behind detect(), each from a prepared cloud to labels
+#pragma once
+
+#include "spigolo/detect/detect.h"
+#include "spigolo/detect/prepare.h"
+
+namespace spigolo {
+
+/// Thesis chapter 3, local-adaptive or global. Labels in canonical order, crease points relative to
+/// the cloud's origin; notes in `result` what was used and seen.
+Features features_by_gauss_map(const PreparedCloud& prepared, const DetectOptions& options,
+                               const Job& job, Detection& result);
+
+/// The sheet model. May widen the neighborhoods: noise asks for more of them.
+Features features_by_sheets(PreparedCloud& prepared, const DetectOptions& options, const Job& job,
+                            Detection& result);
+
+}  // namespace spigolo

@@ -1,0 +1,43 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/detect/sheets_method.cpp - the sheet model
+#include <algorithm>
+
+#include "spigolo/detect/methods.h"
+#include "spigolo/sheets/verdict.h"
+
+namespace spigolo {
+namespace {
+
+Features as_features(const std::vector<SheetVerdict>& verdicts) {
+  Features features;
+  features.assign_surface(verdicts.size());
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    const SheetVerdict& verdict = verdicts[i];
+    if (verdict.kind == PointKind::surface) continue;
+    features.kind[i] = verdict.kind;
+    features.angle[i] = verdict.deviation;
+    features.strength[i] = static_cast<float>(verdict.strength);
+    features.crease_point[i] = verdict.crease_point;
+  }
+  return features;
+}
+
+}  // namespace
+
+Features features_by_sheets(PreparedCloud& prepared, const DetectOptions& options, const Job& job,
+                            Detection& result) {
+  const SheetTolerances tolerances = sheet_tolerances(prepared.noise);
+  widen_neighborhoods(prepared, tolerances.k, job);
+  result.k = std::min(tolerances.k, prepared.neighborhoods.k);
+  const std::vector<SheetVerdict> verdicts =
+      judge_points(prepared.cloud.points, prepared.neighborhoods, prepared.spacing, tolerances,
+                   SheetOptions{options.sensitivity}, job);
+  result.candidates = static_cast<std::size_t>(
+      std::count_if(verdicts.begin(), verdicts.end(),
+                    [](const SheetVerdict& v) { return v.kind != PointKind::surface; }));
+  return as_features(verdicts);
+}
+
+}  // namespace spigolo

@@ -1,0 +1,149 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/sheets/own_sheet.cpp
+#include "spigolo/sheets/own_sheet.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "spigolo/core/parallel.h"
+
+namespace spigolo {
+namespace {
+
+constexpr std::size_t grain = 64;
+constexpr std::size_t hypothesis_points = 20;  // neighbors that planes are put through
+constexpr double needle_sine = 0.25;           // planes through thinner triangles say little
+constexpr int growth_rounds = 5;
+// Room for rounding and for what a quadric cannot follow, in spacings.
+constexpr double smooth_floor = 0.01, plane_floor = 0.1, sheet_floor = 0.06;
+constexpr int tighten_rounds = 6;
+constexpr double outlying = 3, normal_per_median = 1.4826;  // standard deviations, for a median
+constexpr double rounding = 1e-7;                           // [spacings] of exact data
+constexpr std::size_t most_points = 128;
+constexpr double wide = 2.5;  // standard deviations that hold nearly all points
+
+// Plane through points[0] (its unit normal) that the neighbors agree with best: each counts the
+// more the closer it lies, none beyond the tolerance. The zero vector if all triangles are needles.
+Vec3 consensus_plane(std::span<const Vec3> points, double tolerance) {
+  const std::size_t step = std::max<std::size_t>(1, (points.size() - 1) / hypothesis_points);
+  Vec3 best_normal;
+  double best = -1;
+  for (std::size_t i = 1; i < points.size(); i += step) {
+    const Vec3 a = points[i] - points[0];
+    for (std::size_t j = i + step; j < points.size(); j += step) {
+      const Vec3 b = points[j] - points[0], n = cross(a, b);
+      const double area = norm(n);
+      if (area * area < needle_sine * needle_sine * squared_norm(a) * squared_norm(b)) continue;
+      const Vec3 scaled = n / (area * tolerance);
+      double agreement = 0;
+      for (const Vec3& p : points) {
+        const double off = dot(scaled, p - points[0]);
+        agreement += std::max(0.0, 1 - off * off);
+      }
+      if (agreement > best) {
+        best = agreement;
+        best_normal = n / area;
+      }
+    }
+  }
+  return best_normal;
+}
+
+// Points of another sheet that happen to lie close to this one, just over a crease, bend it a
+// little: fit again without what lies far off for the scatter of the others.
+Sheet tighten(std::span<const Vec3> points, Sheet sheet, double spacing, std::vector<char>& on) {
+  std::array<double, most_points> off, sorted;
+  for (int round = 0; round < tighten_rounds; ++round) {
+    std::size_t n = 0;
+    for (std::size_t t = 0; t < points.size(); ++t) {
+      off[t] = std::abs(height(sheet, points[t]));
+      if (on[t]) sorted[n++] = off[t];
+    }
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(n / 2);
+    std::nth_element(sorted.begin(), middle, sorted.begin() + static_cast<std::ptrdiff_t>(n));
+    const double limit = std::max(outlying * normal_per_median * *middle, rounding);
+    bool changed = false;
+    for (std::size_t t = 1; t < points.size(); ++t) {
+      if (!on[t] || off[t] <= limit) continue;
+      on[t] = 0;
+      changed = true;
+    }
+    if (!changed) break;
+    const Sheet tighter = fit_sheet(points, on, spacing, SheetModel::quadric);
+    if (tighter.support < 6) break;
+    sheet = tighter;
+  }
+  return sheet;
+}
+
+// Fit, take in all points on the fit, fit again until nothing changes.
+Sheet grow(std::span<const Vec3> points, double spacing, const SheetTolerances& tolerances,
+           std::vector<char>& on) {
+  Sheet sheet;
+  std::vector<char> before;
+  for (int round = 0; round < growth_rounds; ++round) {
+    const SheetModel model = round == 0 ? SheetModel::plane : SheetModel::quadric;
+    sheet = fit_sheet(points, on, spacing, model);
+    if (!sheet.fitted()) return sheet;
+    const bool curved = round > 0 && sheet.support >= 9;
+    const double limit = curved ? tolerances.on_sheet() : tolerances.plane();
+    before = on;
+    for (std::size_t t = 0; t < points.size(); ++t)
+      on[t] = std::abs(height(sheet, points[t])) < limit;
+    on[0] = 1;
+    if (round >= 2 && on == before) break;
+  }
+  return sheet;
+}
+
+}  // namespace
+
+double SheetTolerances::smooth() const { return std::max(smooth_floor, 1.15 * noise); }
+double SheetTolerances::plane() const { return std::max(plane_floor, wide * noise); }
+double SheetTolerances::on_sheet() const { return std::max(sheet_floor, wide * noise); }
+
+SheetTolerances sheet_tolerances(double noise) {
+  const std::size_t k = noise < 0.03   ? 20
+                        : noise < 0.1  ? 24
+                        : noise < 0.15 ? 40
+                        : noise < 0.3  ? 64
+                                       : 96;
+  return {noise, k};
+}
+
+Sheet find_own_sheet(std::span<const Vec3> points, double spacing,
+                     const SheetTolerances& tolerances, std::vector<char>& scratch) {
+  const Sheet whole = fit_sheet(points, {}, spacing, SheetModel::quadric);
+  if (whole.deviation < tolerances.smooth()) return whole;
+  const double tolerance = tolerances.plane() * spacing;
+  const Vec3 normal = consensus_plane(points, tolerance);
+  if (normal == Vec3{}) return {};
+  scratch.resize(points.size());
+  for (std::size_t t = 0; t < points.size(); ++t)
+    scratch[t] = std::abs(dot(normal, points[t] - points[0])) < tolerance;
+  const Sheet grown = grow(points, spacing, tolerances, scratch);
+  return grown.fitted() ? tighten(points, grown, spacing, scratch) : grown;
+}
+
+std::vector<Sheet> find_own_sheets(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
+                                   const Spacing& spacing, const SheetTolerances& tolerances,
+                                   const Job& job) {
+  std::vector<Sheet> sheets(points.size());
+  parallel_for(job, "sheets", points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Vec3> around;
+    std::vector<char> scratch;
+    for (std::size_t i = begin; i < end; ++i) {
+      around.assign(1, points[i]);
+      const auto row = neighborhoods.of(i);
+      for (const std::uint32_t j : row.first(std::min(tolerances.k, row.size())))
+        around.push_back(points[j]);
+      sheets[i] = find_own_sheet(around, spacing.of_point[i], tolerances, scratch);
+    }
+  });
+  return sheets;
+}
+
+}  // namespace spigolo

@@ -1,0 +1,171 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/sheets/verdict.cpp
+#include "spigolo/sheets/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "spigolo/core/parallel.h"
+#include "spigolo/sheets/roof.h"
+
+namespace spigolo {
+namespace {
+
+constexpr std::size_t grain = 64;
+constexpr double reach = 0.66;        // [spacings] a crease this close passes the point
+constexpr double noisy_reach = 1.0;   // [standard deviations] more, since the point itself is off
+constexpr double corner_reach = 0.9;  // [spacings] of three sheets' common point
+constexpr double sure_reach = 0.45;   // [spacings] so close nobody overshadows
+constexpr double shadow_length = 0.6, shadow_depth = 0.35;  // [spacings] along and across the edge
+constexpr double border_gap = radians(150);                 // of directions without a neighbor
+constexpr std::size_t border_neighbors = 16;
+
+// Neighbors that are asked which sheets pass; more of them where noise hides the sheets.
+std::size_t cover_size(double noise) {
+  return noise < 0.03 ? 16 : noise < 0.1 ? 20 : noise < 0.15 ? 32 : noise < 0.3 ? 48 : 64;
+}
+
+// [rad] least deviation of an edge: 25 degrees at sensitivity 0, 8 at 0.5, 6 at 1.
+double least_deviation(double sensitivity) {
+  return radians(sensitivity < 0.5 ? 25 - 34 * sensitivity : 10 - 4 * sensitivity);
+}
+
+// Largest angle in the tangent plane of the point's sheet in which no neighbor lies.
+double widest_gap(std::span<const Vec3> points, std::span<const std::uint32_t> members,
+                  const Sheet& sheet) {
+  std::array<double, max_cover_points> angles;
+  std::size_t n = 0;
+  for (const std::uint32_t m : members.subspan(1)) {
+    const Vec3 d = points[m] - points[members[0]];
+    angles[n++] = std::atan2(dot(d, sheet.v), dot(d, sheet.u));
+  }
+  std::sort(angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(n));
+  double widest = n == 0 ? 2 * pi : angles[0] + 2 * pi - angles[n - 1];
+  for (std::size_t i = 1; i < n; ++i) widest = std::max(widest, angles[i] - angles[i - 1]);
+  return widest;
+}
+
+double strength_of(double distance, double limit, double deviation) {
+  const double near = 1 - 0.5 * distance / limit, clear = std::min(1.0, deviation / radians(40));
+  return std::clamp(near * (0.5 + 0.5 * clear), 0.01, 1.0);
+}
+
+// The closest of the creases between any two sheets of the cover.
+void find_edge(const RoofTest& test, const SheetCover& cover, const Vec3& p, double limit,
+               SheetVerdict& verdict) {
+  double closest = limit;
+  for (std::size_t a = 0; a < cover.count; ++a) {
+    for (std::size_t b = a + 1; b < cover.count; ++b) {
+      const auto crease = find_crease(*cover.sheet[a], *cover.sheet[b], p);
+      if (!crease) continue;
+      const double away = distance(crease->point, p) / cover.sheet[a]->spacing;
+      if (away > closest) continue;
+      const auto deviation = test.deviation(*crease, cover.on[a], cover.on[b]);
+      if (!deviation) continue;
+      closest = away;
+      verdict = {PointKind::edge, *deviation, strength_of(away, limit, *deviation), crease->point,
+                 crease->direction};
+    }
+  }
+}
+
+// Three sheets with a common point close by, if the point is on an edge already.
+void find_corner_near(const SheetCover& cover, const Vec3& p, SheetVerdict& verdict) {
+  if (verdict.kind != PointKind::edge) return;
+  for (std::size_t a = 0; a < cover.count; ++a)
+    for (std::size_t b = a + 1; b < cover.count; ++b)
+      for (std::size_t c = b + 1; c < cover.count; ++c) {
+        const auto corner = find_corner({cover.sheet[a], cover.sheet[b], cover.sheet[c]}, p);
+        const double spacing = cover.sheet[a]->spacing;
+        if (!corner || distance(*corner, p) > corner_reach * spacing) continue;
+        verdict.kind = PointKind::corner;
+        verdict.crease_point = *corner;
+        verdict.direction = {};
+        return;
+      }
+}
+
+bool sharp(const SheetVerdict& v) {
+  return v.kind == PointKind::edge || v.kind == PointKind::corner;
+}
+
+// Another point of the same crease, beside this one and clearly closer to it.
+bool overshadowed(std::span<const Vec3> points, std::span<const std::uint32_t> neighbors,
+                  std::span<const SheetVerdict> verdicts, std::uint32_t i, double spacing) {
+  const SheetVerdict& mine = verdicts[i];
+  const double away = distance(points[i], mine.crease_point) / spacing;
+  if (mine.kind != PointKind::edge || away < sure_reach) return false;
+  return std::any_of(neighbors.begin(), neighbors.end(), [&](std::uint32_t j) {
+    if (!sharp(verdicts[j])) return false;
+    const Vec3 d = (points[j] - mine.crease_point) / spacing;
+    const double beside = std::abs(dot(d, mine.direction));
+    return beside < shadow_length &&
+           norm(d - mine.direction * dot(d, mine.direction)) < away - shadow_depth;
+  });
+}
+
+// What the neighbors' verdicts speak against: edges and borders that stand alone, and the farther
+// one of two points beside each other on an edge. All on one snapshot.
+void clean(std::span<const Vec3> points, const Neighborhoods& neighborhoods, const Spacing& spacing,
+           std::vector<SheetVerdict>& verdicts) {
+  std::vector<std::uint32_t> wrong;
+  for (std::uint32_t i = 0; i < verdicts.size(); ++i) {
+    if (verdicts[i].kind == PointKind::surface) continue;
+    const auto row = neighborhoods.of(i);
+    const auto near = row.first(std::min(border_neighbors, row.size()));
+    const auto like = std::count_if(near.begin(), near.end(), [&](std::uint32_t j) {
+      return sharp(verdicts[i]) ? sharp(verdicts[j]) : verdicts[j].kind == PointKind::border;
+    });
+    if (like < (sharp(verdicts[i]) ? 1 : 2) ||
+        overshadowed(points, near, verdicts, i, spacing.of_point[i]))
+      wrong.push_back(i);
+  }
+  for (const std::uint32_t i : wrong) verdicts[i] = {};
+}
+
+}  // namespace
+
+SheetVerdict judge_point(std::span<const Vec3> points, std::span<const Sheet> sheets,
+                         std::span<const std::uint32_t> members, const SheetTolerances& tolerances,
+                         const SheetOptions& options) {
+  SheetVerdict verdict;
+  const Vec3& p = points[members[0]];
+  const SheetCover cover = cover_neighborhood(points, sheets, members, tolerances);
+  if (cover.count == 0) return verdict;
+  if (cover.count > 1) {
+    const double limit = reach + noisy_reach * tolerances.noise;
+    const RoofTest test(points, members, cover.sheet[0]->spacing,
+                        least_deviation(options.sensitivity));
+    find_edge(test, cover, p, limit, verdict);
+    find_corner_near(cover, p, verdict);
+  } else if (cover.unexplained == 0 && members.size() > border_neighbors &&
+             widest_gap(points, members, *cover.sheet[0]) > border_gap) {
+    verdict = {PointKind::border, 0, 1, p, {}};
+  }
+  return verdict;
+}
+
+std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
+                                       const Neighborhoods& neighborhoods, const Spacing& spacing,
+                                       const SheetTolerances& tolerances,
+                                       const SheetOptions& options, const Job& job) {
+  const std::vector<Sheet> sheets =
+      find_own_sheets(points, neighborhoods, spacing, tolerances, job);
+  std::vector<SheetVerdict> verdicts(points.size());
+  const std::size_t k = std::min(cover_size(tolerances.noise), neighborhoods.k);
+  parallel_for(job, "detect", points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> members;
+    for (std::size_t i = begin; i < end; ++i) {
+      members.assign(1, static_cast<std::uint32_t>(i));
+      const auto row = neighborhoods.of(i).first(k);
+      members.insert(members.end(), row.begin(), row.end());
+      verdicts[i] = judge_point(points, sheets, members, tolerances, options);
+    }
+  });
+  clean(points, neighborhoods, spacing, verdicts);
+  return verdicts;
+}
+
+}  // namespace spigolo

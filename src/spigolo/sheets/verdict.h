@@ -1,0 +1,43 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/sheets/verdict.h - does a crease pass this point?
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "spigolo/core/features.h"
+#include "spigolo/sheets/cover.h"
+#include "spigolo/sheets/crease.h"
+
+namespace spigolo {
+
+struct SheetOptions {
+  double sensitivity = 0.5;  // 0 to 1: left fewer bends taken for edges, right more obtuse edges
+};
+
+struct SheetVerdict {
+  PointKind kind = PointKind::surface;
+  double deviation = 0;  // [rad] angle from flat, 0 for surface and border
+  double strength = 0;   // 0 to 1: grows with the angle, shrinks with the distance to the crease
+  Vec3 crease_point;     // nearest point on the crease, corner or (of a border) the point itself
+  Vec3 direction;        // unit, along the crease; zero unless an edge
+};
+
+/// Verdict on members[0] from the sheets of its neighborhood: an edge if two of them cross within
+/// 0.6 spacings (and the noise) of it, each ends there, and the angle is more than the noise could
+/// make; a corner if three meet close by; a border if its own sheet ends there and no other begins.
+SheetVerdict judge_point(std::span<const Vec3> points, std::span<const Sheet> sheets,
+                         std::span<const std::uint32_t> members, const SheetTolerances& tolerances,
+                         const SheetOptions& options);
+
+/// All points. neighborhoods need max(20, sheet_tolerances(noise).k) neighbors a row. Edges without
+/// another edge or corner in their neighborhood are dropped.
+std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
+                                       const Neighborhoods& neighborhoods, const Spacing& spacing,
+                                       const SheetTolerances& tolerances,
+                                       const SheetOptions& options, const Job& job = {});
+
+}  // namespace spigolo

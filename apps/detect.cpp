@@ -42,7 +42,8 @@ void declare(CommandLine& line, DetectCommand& c) {
       .add_option("-o,--output", c.output, "PLY file with the labels; - is standard output")
       ->required()
       ->type_name("OUT.ply");
-  line.parameter("--method", c.method, "sheets, gauss-map (thesis, local-adaptive) or gauss-map-global")
+  line.parameter("--method", c.method,
+                 "sheets, gauss-map (thesis, local-adaptive) or gauss-map-global")
       ->check(CLI::IsMember({"sheets", "gauss-map", "gauss-map-global"}))
       ->type_name("NAME");
   line.parameter("--sensitivity", c.options.sensitivity,
@@ -77,6 +78,16 @@ Json parameters_used(const CommandLine& line, const Detection& detection) {
   return json;
 }
 
+// An option that the chosen method never looks at was a misunderstanding.
+void warn_of_idle_options(CommandLine& line, const DetectCommand& c, Run& run) {
+  const bool sheets = c.options.method == DetectMethod::sheets;
+  const std::vector<std::string> idle =
+      sheets ? std::vector<std::string>{"--k", "--sigma", "--flatness", "--min-cluster"}
+             : std::vector<std::string>{"--sensitivity"};
+  for (const std::string& option : idle)
+    if (line.app().count(option) > 0) run.warn(option + " has no effect with --method " + c.method);
+}
+
 }  // namespace
 
 void run_detect(const std::vector<std::string>& arguments) {
@@ -87,6 +98,7 @@ void run_detect(const std::vector<std::string>& arguments) {
   check_door(c);
 
   Run run(c.common);
+  warn_of_idle_options(line, c, run);
   DetectTimes times;
   ReadReport seen;
   PointCloud cloud = read_points(c.input, run, seen);

@@ -16,6 +16,12 @@ std::vector<Vec3> chosen(const std::vector<Vec3>& points, const std::vector<std:
 
 }  // namespace
 
+DetectOptions thesis_method() {
+  DetectOptions options;
+  options.method = DetectMethod::gauss_map;
+  return options;
+}
+
 Scored detect_and_score(const SynthCloud& synth, const DetectOptions& options) {
   Scored scored;
   scored.detection = detect(synth.cloud.points, options);

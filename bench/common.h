@@ -16,6 +16,9 @@ struct Scored {
   FeatureDeviation deviation;  // [units of the shape] delta_inf, delta_avg
 };
 
+/// The thesis's local-adaptive method with its automatic parameters.
+DetectOptions thesis_method();
+
 Scored detect_and_score(const SynthCloud& synth, const DetectOptions& options = {});
 
 }  // namespace spigolo::bench

@@ -3,13 +3,13 @@
 //
 // bench/real_clouds.cpp - scanned and CAD models: labels where there are any, a picture of each
 #include <algorithm>
+#include <array>
 
+#include "common.h"
 #include "sample_mesh.h"
 #include "sections.h"
-#include "spigolo/detect/detect.h"
 #include "spigolo/io/atomic_file.h"
 #include "spigolo/io/cloud_file.h"
-#include "spigolo/measure/classification.h"
 #include "spigolo/render/image.h"
 #include "spigolo/render/render.h"
 
@@ -17,6 +17,13 @@ namespace spigolo::bench {
 namespace {
 
 namespace fs = std::filesystem;
+
+struct Method {
+  const char* name;
+  DetectOptions (*options)();
+};
+constexpr std::array<Method, 2> methods = {
+    {{"sheets", [] { return DetectOptions{}; }}, {"gauss-map", thesis_method}}};
 
 void write_picture(const fs::path& path, const std::vector<Vec3>& points,
                    const Features& features) {
@@ -50,14 +57,15 @@ void unlabelled(Report& report, const fs::path& data, const fs::path& pictures) 
       "random samples of its surface. No truth: look at the pictures.");
   std::vector<std::vector<std::string>> rows;
   const auto run = [&](const std::string& name, const std::vector<Vec3>& points) {
-    const Detection d = detect(points);
-    const auto counts = d.features.counts();
-    write_picture(pictures / (name + ".png"), points, d.features);
-    rows.push_back({name, std::to_string(points.size()), number(d.noise, 3),
-                    std::to_string(counts[1]), std::to_string(counts[2]),
-                    number(100.0 * static_cast<double>(counts[1] + counts[2]) /
-                               static_cast<double>(points.size()),
-                           1)});
+    std::vector<std::string> row = {name, std::to_string(points.size())};
+    for (const Method& method : methods) {
+      const Detection d = detect(points, method.options());
+      const auto counts = d.features.counts();
+      write_picture(pictures / (name + "-" + method.name + ".png"), points, d.features);
+      if (row.size() == 2) row.push_back(number(d.noise, 3));
+      row.push_back(std::to_string(counts[1]) + " + " + std::to_string(counts[2]));
+    }
+    rows.push_back(row);
   };
   for (const char* file :
        {"aimatshape/fandisk.ply", "fandisk.off", "fandisk_large.off", "aimatshape/trim-star.ply",
@@ -67,7 +75,9 @@ void unlabelled(Report& report, const fs::path& data, const fs::path& pictures) 
     run(folder + path.stem().string(), read_cloud(path).points);
   }
   run("fandisk-41500-random", sample_mesh(read_mesh(data / "fandisk.off"), 41500, 1));
-  report.table({"cloud", "points", "noise found", "edge points", "corner points", "share %"}, rows);
+  report.table({"cloud", "points", "noise found", "`sheets`: edge + corner points",
+                "`gauss-map`: edge + corner points"},
+               rows);
 }
 
 void labelled(Report& report, const fs::path& data, const fs::path& pictures, const char* folder) {
@@ -76,31 +86,38 @@ void labelled(Report& report, const fs::path& data, const fs::path& pictures, co
   for (const auto& entry : fs::directory_iterator(data / "abc" / folder))
     if (entry.path().extension() == ".ply") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
-  double f1_sum = 0;
+  std::array<double, methods.size()> sum{};
   for (const fs::path& file : files) {
     const PointCloud cloud = read_cloud(file);
-    const Detection d = detect(cloud.points);
     FeatureTruth truth;
     truth.feature = red_points(cloud);
     truth.edge_distance.assign(cloud.size(), infinity);
-    const Classification c = classify(sharp_flags(d.features), truth, Scoring::thin);
-    write_picture(pictures / ("abc-" + std::string(folder) + "-" + file.stem().string() + ".png"),
-                  cloud.points, d.features);
-    f1_sum += c.f1;
-    rows.push_back({file.stem().string(), std::to_string(cloud.size()), std::to_string(c.features),
-                    number(d.noise, 3), number(c.precision, 3), number(c.recall, 3),
-                    number(c.f1, 3)});
+    std::vector<std::string> row = {file.stem().string(), std::to_string(cloud.size())};
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      const Detection d = detect(cloud.points, methods[m].options());
+      const Classification c = classify(sharp_flags(d.features), truth, Scoring::thin);
+      write_picture(pictures / ("abc-" + std::string(folder) + "-" + file.stem().string() + "-" +
+                                methods[m].name + ".png"),
+                    cloud.points, d.features);
+      if (m == 0) row.insert(row.end(), {std::to_string(c.features), number(d.noise, 3)});
+      row.insert(row.end(), {number(c.precision, 3), number(c.recall, 3), number(c.f1, 3)});
+      sum[m] += c.f1;
+    }
+    rows.push_back(row);
   }
+  const auto n = static_cast<double>(files.size());
   rows.push_back(
-      {"mean", "", "", "", "", "", number(f1_sum / static_cast<double>(files.size()), 3)});
+      {"mean", "", "", "", "", "", number(sum[0] / n, 3), "", "", number(sum[1] / n, 3)});
   report.text(std::string("`abc/") + folder + "`:");
-  report.table({"cloud", "points", "labelled", "noise found", "precision", "recall", "F1"}, rows);
+  report.table({"cloud", "points", "labelled", "noise found", "`sheets`: precision", "recall", "F1",
+                "`gauss-map`: precision", "recall", "F1"},
+               rows);
 }
 
 }  // namespace
 
 void real_clouds(Report& report, const fs::path& data, const fs::path& pictures) {
-  report.heading(2, "Real clouds (method `gauss-map`, default settings)");
+  report.heading(2, "Real clouds (default settings)");
   fs::create_directories(pictures);
   unlabelled(report, data, pictures);
   report.heading(3, "Nine labelled ABC clouds");

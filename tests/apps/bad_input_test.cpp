@@ -131,12 +131,20 @@ TEST_F(BadInput, cadFilesAreNotFaked) {
 
 TEST_F(BadInput, fewPointsAreEnoughWithASmallerK) {
   const std::string in = cloud_file("in.ply", PointCloud{random_sphere(19, 1), {}});
-  const Outcome run = run_program({"detect", in, "-o", path("out.ply"), "--k", "20", "--json"});
+  const Outcome run = run_program(
+      {"detect", in, "-o", path("out.ply"), "--method", "gauss-map", "--k", "20", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.err.find("warning: "), std::string::npos) << run.err;
   EXPECT_EQ(run.json()["k_used"], 18);
   EXPECT_EQ(run.json()["warnings"].size(), 1u);
   EXPECT_EQ(read_cloud(path("out.ply")).size(), 19u);
+}
+
+TEST_F(BadInput, optionsOfAnotherMethodAreNotIgnoredInSilence) {
+  const std::string in = cloud_file("in.ply", PointCloud{random_sphere(200, 1), {}});
+  const Outcome run = run_program({"detect", in, "-o", path("out.ply"), "--k", "12"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("--k has no effect with --method sheets"), std::string::npos) << run.err;
 }
 
 }  // namespace

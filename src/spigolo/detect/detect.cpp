@@ -46,7 +46,7 @@ Features in_input_order(const OrderedCloud& cloud, std::span<const Vec3> points,
   return features;
 }
 
-void warn(const OrderedCloud& cloud, const DetectOptions& options, Detection& result) {
+void warn(const OrderedCloud& cloud, Detection& result) {
   const auto say = [&](std::string text) { result.warnings.push_back(std::move(text)); };
   if (cloud.non_finite > 0)
     say(std::to_string(cloud.non_finite) +
@@ -54,9 +54,6 @@ void warn(const OrderedCloud& cloud, const DetectOptions& options, Detection& re
   if (cloud.duplicates > 0)
     say(std::to_string(cloud.duplicates) +
         " points repeat the place of another; they share its label");
-  if (options.method != DetectMethod::sheets && result.k < options.k)
-    say("the cloud has only " + std::to_string(cloud.size()) + " different places; k is cut from " +
-        std::to_string(options.k) + " to " + std::to_string(result.k));
   if (result.degenerate > 0)
     say(std::to_string(result.degenerate) +
         " places have all their neighbors on one line; labelled surface");
@@ -89,7 +86,7 @@ Detection detect(std::span<const Vec3> points, const DetectOptions& options, con
                                ? features_by_sheets(prepared, options, job, result)
                                : features_by_gauss_map(prepared, options, job, result);
   result.features = in_input_order(prepared.cloud, points, ordered);
-  warn(prepared.cloud, options, result);
+  warn(prepared.cloud, result);
   result.seconds_detect = watch.lap();
   return result;
 }

@@ -52,7 +52,7 @@ Features features_by_gauss_map(const PreparedCloud& prepared, const DetectOption
                                const Job& job, Detection& result) {
   const std::span<const Vec3> points = prepared.cloud.points;
   const FeatureTestOptions test = for_noise(prepared.noise, options);
-  result.k = std::min(options.k, prepared.neighborhoods.k);
+  result.k = neighbors_at_hand(prepared, options.k, result.warnings);
   result.sigma = test.sigma;
   result.min_cluster = test.min_cluster;
   AdaptOptions adapt;

@@ -57,4 +57,14 @@ void widen_neighborhoods(PreparedCloud& prepared, std::size_t k, const Job& job)
     prepared.neighborhoods = find_neighborhoods(KdTree(prepared.cloud), k, job);
 }
 
+std::size_t neighbors_at_hand(const PreparedCloud& prepared, std::size_t wanted,
+                              std::vector<std::string>& warnings) {
+  const std::size_t k = std::min(wanted, prepared.neighborhoods.k);
+  if (k < wanted)
+    warnings.push_back("the cloud has only " + std::to_string(prepared.cloud.size()) +
+                       " different places; k is cut from " + std::to_string(wanted) + " to " +
+                       std::to_string(k));
+  return k;
+}
+
 }  // namespace spigolo

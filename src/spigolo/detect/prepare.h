@@ -5,6 +5,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "spigolo/core/job.h"
 #include "spigolo/index/kd_tree.h"
@@ -26,5 +28,9 @@ PreparedCloud prepare_cloud(std::span<const Vec3> points, std::size_t k, const J
 
 /// Searches again if the rows hold fewer than k neighbors and there are more.
 void widen_neighborhoods(PreparedCloud& prepared, std::size_t k, const Job& job = {});
+
+/// The number of neighbors there are, at most `wanted`; a note in `warnings` if that is less.
+std::size_t neighbors_at_hand(const PreparedCloud& prepared, std::size_t wanted,
+                              std::vector<std::string>& warnings);
 
 }  // namespace spigolo

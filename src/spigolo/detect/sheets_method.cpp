@@ -30,7 +30,7 @@ Features features_by_sheets(PreparedCloud& prepared, const DetectOptions& option
                             Detection& result) {
   const SheetTolerances tolerances = sheet_tolerances(prepared.noise);
   widen_neighborhoods(prepared, tolerances.k, job);
-  result.k = std::min(tolerances.k, prepared.neighborhoods.k);
+  result.k = neighbors_at_hand(prepared, tolerances.k, result.warnings);
   const std::vector<SheetVerdict> verdicts =
       judge_points(prepared.cloud.points, prepared.neighborhoods, prepared.spacing, tolerances,
                    SheetOptions{options.sensitivity}, job);

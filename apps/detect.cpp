@@ -17,7 +17,8 @@ namespace spigolo {
 namespace {
 
 // Measured on clouds of some million points; ordering, index and verdicts together.
-constexpr std::size_t bytes_per_point = 400;
+// Noise makes it look at 96 neighbors a point: that is the most.
+constexpr std::size_t bytes_per_point = 1000;
 
 const VerbHelp help = {"detect",
                        "Label every point of a cloud: surface, edge, corner, tip or border.",
@@ -73,8 +74,14 @@ void check_door(DetectCommand& c) {
 // What was chosen by the noise stands there as if it had been given.
 Json parameters_used(const CommandLine& line, const Detection& detection) {
   Json json = line.parameters();
-  if (detection.sigma > 0) json["sigma"] = detection.sigma;
-  if (detection.sigma > 0) json["min_cluster"] = detection.min_cluster;
+  const bool sheets = json["method"] == "sheets";
+  if (sheets) {
+    for (const char* idle : {"k", "sigma", "flatness", "min_cluster"}) json.erase(idle);
+  } else {
+    json.erase("sensitivity");
+    json["sigma"] = detection.sigma;
+    json["min_cluster"] = detection.min_cluster;
+  }
   return json;
 }
 

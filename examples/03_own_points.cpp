@@ -23,7 +23,7 @@ std::vector<spigolo::Vec3> roof(double rise) {
 int main() {
   const std::vector<spigolo::Vec3> points = roof(1.0);
   spigolo::DetectOptions options;
-  options.k = 16;  // neighbors of a point; the other options keep their defaults
+  options.sensitivity = 0.7;  // more obtuse edges; the other options keep their defaults
 
   // Any contiguous array of Vec3 will do; nothing is copied into another type first.
   const spigolo::Detection found = spigolo::detect(std::span(points), options);

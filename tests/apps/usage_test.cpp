@@ -134,7 +134,8 @@ TEST_F(ProgramTest, savedParametersGiveTheSameBytes) {
 
 TEST_F(ProgramTest, theCommandLineWinsOverTheParameterFile) {
   const std::string cube = cloud_file("cube.ply", small_cube());
-  const std::string params = file("p.json", R"({"k": 12, "min-cluster": 0.2})");
+  const std::string params =
+      file("p.json", R"({"method": "gauss-map", "k": 12, "min-cluster": 0.2})");
   const Outcome run =
       run_program({"detect", cube, "-o", path("a.ply"), "--params", params, "--k", "24", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;

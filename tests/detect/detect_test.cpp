@@ -183,6 +183,28 @@ TEST(Detect, SheetsLeaveSmoothShapesAlone) {
     }
 }
 
+// Noise of a quarter of the spacing: edges are still found, smooth shapes still left alone.
+TEST(Detect, SheetsHoldUnderNoise) {
+  for (const char* shape : {"boxhole", "steps", "sphere", "torus"})
+    for (const Sampling sampling : {Sampling::random, Sampling::blue}) {
+      SynthOptions options;
+      options.shape = shape;
+      options.sampling = sampling;
+      options.points = 8000;
+      options.noise = 0.25;
+      options.seed = 3;
+      const SynthCloud s = make_cloud(options);
+      const Classification c =
+          classify(sharp_flags(detect(s.cloud.points).features),
+                   read_truth(s.cloud, s.spacing, s.lattice), Scoring::tolerant);
+      if (c.features > 0) {
+        EXPECT_GT(c.f1, 0.9) << shape;
+      } else {
+        EXPECT_LE(c.outliers, 8u) << shape;
+      }
+    }
+}
+
 // Where the creases of a box are is known exactly: all but a few in a hundred, which have a point
 // of another face in their sheet, are met to a millionth of the spacing.
 TEST(Detect, CreasePointsOfFlatSheetsAreExact) {

@@ -35,14 +35,15 @@ struct DetectOptions {
 };
 
 struct Detection {
-  Features features;                  // one entry per input point, in input order
-  double spacing = 0;                 // of the cloud, in the units of the input
-  double noise = 0;                   // standard deviation across the surface, in spacings
-  std::size_t duplicates = 0;         // input points that repeat a place; they share its verdict
-  std::size_t non_finite = 0;         // input points with NaN or infinity; labelled surface
-  std::size_t degenerate = 0;         // places whose neighborhood spans no surface
-  std::size_t candidates = 0;         // places that passed the first round of clustering
-  std::size_t k = 0;                  // neighbors used; less than asked for in tiny clouds
+  Features features;           // one entry per input point, in input order
+  double spacing = 0;          // of the cloud, in the units of the input
+  double noise = 0;            // standard deviation across the surface, in spacings
+  std::size_t duplicates = 0;  // input points that repeat a place; they share its verdict
+  std::size_t non_finite = 0;  // input points with NaN or infinity; labelled surface
+  std::size_t degenerate = 0;  // gauss-map: places whose neighborhood spans no surface
+  std::size_t candidates =
+      0;              // places that passed the first round (gauss-map), or all marked (sheets)
+  std::size_t k = 0;  // neighbors used; less than asked for in tiny clouds
   double sigma = 0, min_cluster = 0;  // used by the thesis's methods: given or chosen
   double seconds_index = 0, seconds_detect = 0;
   std::vector<std::string> warnings;

@@ -75,9 +75,14 @@ double half_deviation(std::span<const Vec3> points, std::size_t i,
       const Vec3 n = cross(e[a], e[b]), unit = normalized(n);
       if (norm(n) < needle_sine * norm(e[a]) * norm(e[b])) continue;
       std::array<double, quadric_k> off;
-      for (std::size_t t = 0; t < e.size(); ++t) off[t] = std::abs(dot(unit, e[t]));
+      std::size_t closer = 0;
+      for (std::size_t t = 0; t < e.size(); ++t) {
+        off[t] = std::abs(dot(unit, e[t]));
+        closer += off[t] < least;
+      }
+      if (closer <= quadric_k / 2) continue;  // half of them do not lie closer than before
       std::nth_element(off.begin(), off.begin() + quadric_k / 2, off.end());
-      least = std::min(least, off[quadric_k / 2]);
+      least = off[quadric_k / 2];
     }
   }
   return least;

@@ -8,16 +8,19 @@
 #include <cmath>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/sheets/agree.h"
 #include "spigolo/sheets/roof.h"
 
 namespace spigolo {
 namespace {
 
 constexpr std::size_t grain = 64;
-constexpr double reach = 0.66;        // [spacings] a crease this close passes the point
-constexpr double noisy_reach = 1.0;   // [standard deviations] more, since the point itself is off
-constexpr double corner_reach = 0.9;  // [spacings] of three sheets' common point
-constexpr double sure_reach = 0.45;   // [spacings] so close nobody overshadows
+constexpr double reach = 0.66;          // [spacings] a crease this close passes the point
+constexpr double exact_noise = 0.03;    // [spacings] with less, each crease stands for itself
+constexpr double proposal_reach = 1.3;  // [spacings] with more, one that neighbors may agree with
+constexpr double noisy_reach = 0.5;     // [standard deviations] more, since the point itself is off
+constexpr double corner_reach = 0.9;    // [spacings] of three sheets' common point
+constexpr double sure_reach = 0.45;     // [spacings] so close nobody overshadows
 constexpr double shadow_length = 0.6, shadow_depth = 0.35;  // [spacings] along and across the edge
 constexpr double border_gap = radians(150);                 // of directions without a neighbor
 constexpr std::size_t border_neighbors = 16;
@@ -135,7 +138,7 @@ SheetVerdict judge_point(std::span<const Vec3> points, std::span<const Sheet> sh
   const SheetCover cover = cover_neighborhood(points, sheets, members, tolerances);
   if (cover.count == 0) return verdict;
   if (cover.count > 1) {
-    const double limit = reach + noisy_reach * tolerances.noise;
+    const double limit = tolerances.noise < exact_noise ? reach : proposal_reach;
     const RoofTest test(points, members, cover.sheet[0]->spacing,
                         least_deviation(options.sensitivity));
     find_edge(test, cover, p, limit, verdict);
@@ -164,6 +167,9 @@ std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
       verdicts[i] = judge_point(points, sheets, members, tolerances, options);
     }
   });
+  if (tolerances.noise >= exact_noise)
+    verdicts = agree_on_creases(points, neighborhoods, spacing, verdicts,
+                                reach + noisy_reach * tolerances.noise, job);
   clean(points, neighborhoods, spacing, verdicts);
   return verdicts;
 }

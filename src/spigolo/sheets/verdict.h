@@ -27,14 +27,16 @@ struct SheetVerdict {
 };
 
 /// Verdict on members[0] from the sheets of its neighborhood: an edge if two of them cross within
-/// 0.6 spacings (and the noise) of it, each ends there, and the angle is more than the noise could
-/// make; a corner if three meet close by; a border if its own sheet ends there and no other begins.
+/// 0.66 spacings of it (1.3 with noise: then it is a proposal, see agree_on_creases), each ends
+/// there and the deviation is what the sensitivity asks for; a corner if three meet close by; a
+/// border if its own sheet ends there and no other begins.
 SheetVerdict judge_point(std::span<const Vec3> points, std::span<const Sheet> sheets,
                          std::span<const std::uint32_t> members, const SheetTolerances& tolerances,
                          const SheetOptions& options);
 
-/// All points. neighborhoods need max(20, sheet_tolerances(noise).k) neighbors a row. Edges without
-/// another edge or corner in their neighborhood are dropped.
+/// All points. neighborhoods need max(20, sheet_tolerances(noise).k) neighbors a row. With noise
+/// the neighbors' creases must agree. Edges without another edge or corner in their neighborhood
+/// are dropped, and of two points beside each other on an edge the one clearly farther from it.
 std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
                                        const Neighborhoods& neighborhoods, const Spacing& spacing,
                                        const SheetTolerances& tolerances,

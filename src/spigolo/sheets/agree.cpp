@@ -1,0 +1,94 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/sheets/agree.cpp
+#include "spigolo/sheets/agree.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "spigolo/core/parallel.h"
+
+namespace spigolo {
+namespace {
+
+constexpr std::size_t grain = 256;
+constexpr std::size_t asked = 40;       // neighbors
+constexpr double longest = 3;           // [spacings] a crease is straight so far
+constexpr double spread = 0.8;          // [spacings] creases this close may be one
+constexpr std::size_t least_votes = 5;  // of them, to be believed
+constexpr double parallel = 0.85;       // cosine of directions that agree
+
+struct Vote {
+  Vec3 foot;  // point of the neighbor's crease beside the asking point
+  const SheetVerdict* from;
+};
+
+// The votes that agree best: around each in turn, the most others.
+std::vector<Vote> largest_group(const std::vector<Vote>& votes, double spacing) {
+  std::vector<Vote> best;
+  for (const Vote& center : votes) {
+    std::vector<Vote> group;
+    for (const Vote& vote : votes)
+      if (distance(vote.foot, center.foot) < spread * spacing &&
+          std::abs(dot(vote.from->direction, center.from->direction)) > parallel)
+        group.push_back(vote);
+    if (group.size() > best.size()) best = std::move(group);
+  }
+  return best;
+}
+
+SheetVerdict mean_of(const std::vector<Vote>& votes, const Vec3& p, double spacing, double reach) {
+  const double n = static_cast<double>(votes.size());
+  SheetVerdict verdict;
+  verdict.kind = PointKind::edge;
+  for (const Vote& vote : votes) {
+    const Vec3& d = vote.from->direction;
+    verdict.crease_point += vote.foot / n;
+    verdict.direction += dot(d, votes.front().from->direction) < 0 ? -d : d;
+    verdict.deviation += vote.from->deviation / n;
+    verdict.strength += vote.from->strength / n;
+  }
+  verdict.direction = normalized(verdict.direction);
+  const double away = distance(p, verdict.crease_point) / spacing;
+  return away <= reach ? verdict : SheetVerdict{};
+}
+
+SheetVerdict ask(std::span<const Vec3> points, std::span<const std::uint32_t> neighbors,
+                 std::span<const SheetVerdict> proposals, std::uint32_t i, double spacing,
+                 double reach) {
+  const SheetVerdict& own = proposals[i];
+  if (own.kind == PointKind::corner || own.kind == PointKind::border) return own;
+  std::vector<Vote> votes;
+  const auto hear = [&](std::uint32_t j) {
+    const SheetVerdict& v = proposals[j];
+    if (v.kind != PointKind::edge) return;
+    const double along = dot(points[i] - v.crease_point, v.direction);
+    if (std::abs(along) <= longest * spacing)
+      votes.push_back({v.crease_point + v.direction * along, &v});
+  };
+  hear(i);
+  for (const std::uint32_t j : neighbors.first(std::min(asked, neighbors.size()))) hear(j);
+  if (votes.size() < least_votes) return {};
+  const std::vector<Vote> group = largest_group(votes, spacing);
+  if (group.size() < least_votes) return {};
+  return mean_of(group, points[i], spacing, reach);
+}
+
+}  // namespace
+
+std::vector<SheetVerdict> agree_on_creases(std::span<const Vec3> points,
+                                           const Neighborhoods& neighborhoods,
+                                           const Spacing& spacing,
+                                           std::span<const SheetVerdict> proposals, double reach,
+                                           const Job& job) {
+  std::vector<SheetVerdict> agreed(points.size());
+  parallel_for(job, "", points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      agreed[i] = ask(points, neighborhoods.of(i), proposals, static_cast<std::uint32_t>(i),
+                      spacing.of_point[i], reach);
+  });
+  return agreed;
+}
+
+}  // namespace spigolo

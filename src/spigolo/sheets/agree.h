@@ -1,0 +1,26 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/sheets/agree.h - with noise, what the neighbors make of a crease counts more than one fit
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "spigolo/index/neighborhoods.h"
+#include "spigolo/index/spacing.h"
+#include "spigolo/sheets/verdict.h"
+
+namespace spigolo {
+
+/// Each edge among `proposals` stands for a piece of straight crease. Every point takes the mean of
+/// those in its neighborhood that pass close to each other, and is on an edge if that mean passes
+/// within `reach` [spacings] and enough of them agree: chance hits go, gaps close, the position
+/// becomes as certain as several fits. Corners and borders stay. All from one snapshot.
+std::vector<SheetVerdict> agree_on_creases(std::span<const Vec3> points,
+                                           const Neighborhoods& neighborhoods,
+                                           const Spacing& spacing,
+                                           std::span<const SheetVerdict> proposals, double reach,
+                                           const Job& job = {});
+
+}  // namespace spigolo

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "spigolo/core/parallel.h"
 
@@ -83,18 +84,18 @@ Sheet tighten(std::span<const Vec3> points, Sheet sheet, double spacing, std::ve
 Sheet grow(std::span<const Vec3> points, double spacing, const SheetTolerances& tolerances,
            std::vector<char>& on) {
   Sheet sheet;
-  std::vector<char> before;
   for (int round = 0; round < growth_rounds; ++round) {
     const SheetModel model = round == 0 ? SheetModel::plane : SheetModel::quadric;
     sheet = fit_sheet(points, on, spacing, model);
     if (!sheet.fitted()) return sheet;
-    const bool curved = round > 0 && sheet.support >= 9;
+    const bool curved = round > 0 && sheet.support >= quadric_points;
     const double limit = curved ? tolerances.on_sheet() : tolerances.plane();
-    before = on;
-    for (std::size_t t = 0; t < points.size(); ++t)
-      on[t] = std::abs(height(sheet, points[t])) < limit;
-    on[0] = 1;
-    if (round >= 2 && on == before) break;
+    bool changed = false;
+    for (std::size_t t = 1; t < points.size(); ++t) {  // the point itself stays on its sheet
+      const char is_on = std::abs(height(sheet, points[t])) < limit;
+      changed |= is_on != std::exchange(on[t], is_on);
+    }
+    if (round >= 2 && !changed) break;
   }
   return sheet;
 }

@@ -11,7 +11,7 @@
 namespace spigolo {
 namespace {
 
-constexpr int quadric_points = 9, plane_points = 3;
+constexpr int plane_points = 3;
 constexpr int quadric_freedom = 6, plane_freedom = 3;
 // Curvature that the points do not determine (all on a line or two) is drawn to zero.
 constexpr double curvature_weight = 1e-7;

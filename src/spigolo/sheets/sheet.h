@@ -30,10 +30,12 @@ double height(const Sheet& sheet, const Vec3& p);
 /// Unit normal of the sheet below p.
 Vec3 normal_at(const Sheet& sheet, const Vec3& p);
 
+inline constexpr int quadric_points = 9;  // with fewer, six coefficients say nothing
+
 enum class SheetModel { plane, quadric };
 
 /// Least squares through the points with `use` set (all points if `use` is empty), in a frame at
-/// points[0]. A quadric needs nine points, a plane three: with fewer, a plane, then no sheet.
+/// points[0]. A quadric needs quadric_points, a plane three: with fewer, a plane, then no sheet.
 Sheet fit_sheet(std::span<const Vec3> points, std::span<const char> use, double spacing,
                 SheetModel model);
 

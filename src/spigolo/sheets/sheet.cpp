@@ -40,20 +40,20 @@ double offset(const Sheet& s, const Local& q) {
 
 // Cholesky factorization and two substitutions; false where the matrix is not positive.
 bool solve(std::array<std::array<double, 6>, 6>& m, std::array<double, 6>& x) {
-  for (int i = 0; i < 6; ++i) {
-    for (int j = 0; j <= i; ++j) {
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
       double sum = m[i][j];
-      for (int k = 0; k < j; ++k) sum -= m[i][k] * m[j][k];
+      for (std::size_t k = 0; k < j; ++k) sum -= m[i][k] * m[j][k];
       if (i == j && !(sum > 0)) return false;
       m[i][j] = i == j ? std::sqrt(sum) : sum / m[j][j];
     }
   }
-  for (int i = 0; i < 6; ++i) {
-    for (int k = 0; k < i; ++k) x[i] -= m[i][k] * x[k];
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t k = 0; k < i; ++k) x[i] -= m[i][k] * x[k];
     x[i] /= m[i][i];
   }
-  for (int i = 5; i >= 0; --i) {
-    for (int k = i + 1; k < 6; ++k) x[i] -= m[k][i] * x[k];
+  for (std::size_t i = 6; i-- > 0;) {
+    for (std::size_t k = i + 1; k < 6; ++k) x[i] -= m[k][i] * x[k];
     x[i] /= m[i][i];
   }
   return true;
@@ -86,14 +86,14 @@ bool fit_quadric(std::span<const Vec3> points, std::span<const char> use, Sheet&
   for_each_used(points, use, [&](const Vec3& p) {
     const auto [u, v, w] = local(s, p);
     const std::array<double, 6> row = {1, u, v, u * u, u * v, v * v};
-    for (int i = 0; i < 6; ++i) {
-      for (int j = 0; j <= i; ++j) m[i][j] += row[i] * row[j];
+    for (std::size_t i = 0; i < 6; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) m[i][j] += row[i] * row[j];
       x[i] += row[i] * w;
     }
   });
   double trace = 0;
-  for (int i = 0; i < 6; ++i) trace += m[i][i];
-  for (int i = 3; i < 6; ++i) m[i][i] += curvature_weight * trace;
+  for (std::size_t i = 0; i < 6; ++i) trace += m[i][i];
+  for (std::size_t i = 3; i < 6; ++i) m[i][i] += curvature_weight * trace;
   if (!solve(m, x)) return false;
   s.a = x;
   return true;

@@ -20,8 +20,7 @@ namespace {
 // Noise makes it look at 96 neighbors a point: that is the most.
 constexpr std::size_t bytes_per_point = 1000;
 
-const VerbHelp help = {"detect",
-                       "Label every point of a cloud: surface, edge, corner, tip or border.",
+const VerbHelp help = {"detect", "Label every point of a cloud: surface, edge, corner or border.",
                        "spigolo detect scan.ply -o features.ply"};
 
 struct DetectCommand {

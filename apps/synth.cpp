@@ -47,7 +47,9 @@ void declare(CommandLine& line, SynthCommand& c) {
       ->type_name("HOW");
   line.parameter("--points", c.options.points, "how many; 0: the shape's own number")
       ->type_name("N");
-  line.parameter("--noise", c.options.noise, "standard deviation along each axis, in spacings")
+  line.parameter(
+          "--noise", c.options.noise,
+          "standard deviation along each axis, in h, the median distance to the nearest point")
       ->type_name("X");
   line.parameter("--noise-percent", c.options.noise_percent,
                  "radius of uniform noise, in percent of the bounding sphere's")

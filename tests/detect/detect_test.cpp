@@ -161,9 +161,9 @@ TEST_P(DetectBy, RefusesWhatHoldsNoSurface) {
   EXPECT_THROW(run(line), NoResultError);
 }
 
-// Samples that do not lie on the edges, on shapes and seeds that no constant was tuned on.
+// Samples that do not lie on the edges, on shapes that were not looked at when constants were set.
 TEST(Detect, SheetsFindEdgesOffTheLattice) {
-  for (const char* shape : {"boxhole", "pyramid", "steps", "cylinder-hole"})
+  for (const char* shape : {"lens", "pyramid", "steps", "cylinder-hole"})
     for (const Sampling sampling : {Sampling::random, Sampling::blue}) {
       const SynthCloud s = synth(shape, 0, sampling, 6000);
       const Detection detection = detect(s.cloud.points);

@@ -17,6 +17,8 @@ void Features::assign_surface(std::size_t n) {
   convex.assign(n, std::int8_t{0});
   curve.assign(n, -1);
   crease_point.assign(n, Vec3{not_a_number, not_a_number, not_a_number});
+  direction.assign(n, Vec3{});
+  sheets.assign(n, std::uint8_t{1});
 }
 
 std::array<std::size_t, point_kinds> Features::counts() const {
@@ -28,7 +30,8 @@ std::array<std::size_t, point_kinds> Features::counts() const {
 void validate(const Features& f) {
   const std::size_t n = f.size();
   if (f.angle.size() != n || f.strength.size() != n || f.convex.size() != n ||
-      f.curve.size() != n || f.crease_point.size() != n)
+      f.curve.size() != n || f.crease_point.size() != n || f.direction.size() != n ||
+      f.sheets.size() != n)
     throw Error("features: the arrays differ in length");
   for (std::size_t i = 0; i < n; ++i) {
     const bool smooth = f.kind[i] == PointKind::surface;

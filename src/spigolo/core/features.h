@@ -24,9 +24,11 @@ struct Features {
   std::vector<PointKind> kind;
   std::vector<double> angle;    // [rad] deviation from flat in [0, pi]; 0 for surface and border
   std::vector<float> strength;  // in [0, 1]; 0 for surface
-  std::vector<std::int8_t> convex;  // 1 convex, -1 concave, 0 not known or not on an edge
-  std::vector<std::int32_t> curve;  // feature curve it belongs to, -1 if none
-  std::vector<Vec3> crease_point;   // nearest point on the crease; NaN for surface
+  std::vector<std::int8_t> convex;   // 1 convex, -1 concave, 0 not known or not on an edge
+  std::vector<std::int32_t> curve;   // feature curve it belongs to, -1 if none
+  std::vector<Vec3> crease_point;    // nearest point on the crease; NaN for surface
+  std::vector<Vec3> direction;       // unit, along the crease (sign arbitrary); zero if not known
+  std::vector<std::uint8_t> sheets;  // smooth sheets that meet: 1 surface and border, 2 edge, 3 ...
 
   std::size_t size() const { return kind.size(); }
   /// Makes n points of smooth surface.

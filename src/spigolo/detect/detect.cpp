@@ -39,6 +39,9 @@ Features in_input_order(const OrderedCloud& cloud, std::span<const Vec3> points,
     features.kind[i] = ordered.kind[r];
     features.angle[i] = ordered.angle[r];
     features.strength[i] = ordered.strength[r];
+    features.convex[i] = ordered.convex[r];
+    features.direction[i] = ordered.direction[r];
+    features.sheets[i] = ordered.sheets[r];
     // A crease through the very point keeps its coordinates to the last bit.
     const Vec3& crease = ordered.crease_point[r];
     features.crease_point[i] = crease == cloud.points[r] ? points[i] : crease + cloud.origin;

@@ -20,6 +20,10 @@ Features as_features(const std::vector<SheetVerdict>& verdicts) {
     features.angle[i] = verdict.deviation;
     features.strength[i] = static_cast<float>(verdict.strength);
     features.crease_point[i] = verdict.crease_point;
+    features.direction[i] = verdict.direction;
+    features.sheets[i] = verdict.kind == PointKind::corner ? 3
+                         : verdict.kind == PointKind::edge ? 2
+                                                           : 1;
   }
   return features;
 }

@@ -25,7 +25,8 @@ const VerbHelp help = {"synth",
                        "truth_edge_distance, truth_kind.",
                        "spigolo synth wedge --angle 120 --points 20000 --noise 0.05 -o wedge.ply"};
 
-constexpr std::array<const char*, 4> samplings = {"auto", "lattice", "random", "blue"};
+constexpr std::array<const char*, 6> samplings = {"auto", "lattice", "random",
+                                                  "blue", "scan",    "view"};
 
 struct SynthCommand {
   CommonOptions common;
@@ -41,9 +42,11 @@ void declare(CommandLine& line, SynthCommand& c) {
   app.add_option("-o,--output", c.output, "the cloud; - is PLY on standard output")
       ->type_name("OUT");
   app.add_flag("--list", c.list, "list the shapes and exit");
-  line.parameter("--sampling", c.sampling,
-                 "auto (lattice if there is one, else blue), lattice, ...")
-      ->check(CLI::IsMember({"auto", "lattice", "random", "blue"}))
+  line.parameter(
+          "--sampling", c.sampling,
+          "auto (lattice if there is one, else blue), lattice, random, blue, scan (lines four "
+          "times denser along than across), view (what scanners at --views places see)")
+      ->check(CLI::IsMember({"auto", "lattice", "random", "blue", "scan", "view"}))
       ->type_name("HOW");
   line.parameter("--points", c.options.points, "how many; 0: the shape's own number")
       ->type_name("N");
@@ -54,10 +57,26 @@ void declare(CommandLine& line, SynthCommand& c) {
   line.parameter("--noise-percent", c.options.noise_percent,
                  "radius of uniform noise, in percent of the bounding sphere's")
       ->type_name("X");
-  line.parameter("--angle", c.angle, "interior angle of the wedge, 5 to 175 degrees")
+  line.parameter("--angle", c.angle, "of wedge, fade and spike, 5 to 175 degrees")
       ->type_name("DEG");
   line.parameter("--size,--radius", c.options.size,
                  "fillet radius, chamfer width or thickness, in spacings")
+      ->type_name("X");
+  line.parameter("--sides", c.options.sides, "of the pyramid, 3 to 12")->type_name("N");
+}
+
+void declare_hardships(CommandLine& line, SynthCommand& c) {
+  line.parameter("--views", c.options.views, "scanner places of --sampling view, 1 to 64")
+      ->type_name("N");
+  line.parameter("--density-gradient", c.options.density_gradient,
+                 "random and blue: so many times denser at one end of the longest side")
+      ->type_name("X");
+  line.parameter("--noise-gradient", c.options.noise_gradient,
+                 "so many times more noise at one end of the second longest side")
+      ->type_name("X");
+  line.parameter("--duplicates", c.options.duplicates, "share of samples that come twice")
+      ->type_name("X");
+  line.parameter("--outliers", c.options.outliers, "share of points added anywhere around")
       ->type_name("X");
 }
 
@@ -108,6 +127,7 @@ void run_synth(const std::vector<std::string>& arguments) {
   SynthCommand c;
   CommandLine line(help, c.common);
   declare(line, c);
+  declare_hardships(line, c);
   if (!line.parse(arguments)) return;
   Run run(c.common);
   if (c.list) return print_shapes(run);

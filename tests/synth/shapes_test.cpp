@@ -182,8 +182,9 @@ TEST(Shapes, CreasesAreCountedAndSigned) {
   for (const Row row :
        {Row{"cube", 12, 0, 8, 0}, Row{"hole", 14, 0, 8, 0}, Row{"wedge", 1, 0, 0, 6},
         Row{"l-prism", 17, 1, 12, 0}, Row{"steps", 22, 2, 16, 0}, Row{"star", 25, 5, 20, 0},
-        Row{"pyramid", 8, 0, 5, 0}, Row{"chamfer-box", 48, 0, 24, 0}, Row{"slot", 22, 2, 16, 0},
-        Row{"cylinders", 4, 2, 0, 0}, Row{"fillet-box", 0, 0, 0, 0}, Row{"patch", 0, 0, 0, 4}}) {
+        Row{"pyramid", 8, 0, 5, 0}, Row{"spike", 1, 0, 0, 0}, Row{"fade", 1, 0, 0, 6},
+        Row{"chamfer-box", 48, 0, 24, 0}, Row{"slot", 22, 2, 16, 0}, Row{"cylinders", 4, 2, 0, 0},
+        Row{"fillet-box", 0, 0, 0, 0}, Row{"patch", 0, 0, 0, 4}}) {
     const Shape shape = make_shape({.shape = row.name});
     std::size_t convex = 0, concave = 0;
     for (const ExactCrease& crease : shape.creases) (crease.convex > 0 ? convex : concave) += 1;
@@ -204,7 +205,24 @@ TEST(Shapes, AnglesAreTheClosedForms) {
     EXPECT_EQ(nearest_crease(wedge, {3, 1, 1}).convex, 1);
   }
   EXPECT_NEAR(make_shape({.shape = "lens"}).creases[0].deviation(0), 2 * std::asin(0.8), 1e-12);
-  EXPECT_EQ(make_shape({.shape = "pyramid"}).corners[4].valence, 4);
+  for (const std::size_t sides : {3u, 4u, 5u, 6u})
+    EXPECT_EQ(make_shape({.shape = "pyramid", .sides = sides}).corners.back().valence, int(sides));
+}
+
+TEST(Shapes, FadeGoesFromItsAngleToFlat) {
+  const Shape fade = make_shape({.shape = "fade", .angle = radians(100)});
+  for (const double t : {0.0, 0.5, 0.9, 1.0})
+    EXPECT_NEAR(fade.creases[0].deviation(t), radians(80) * (1 - t), 1e-12);
+}
+
+TEST(Shapes, SpikeHasTheAngleOfItsTip) {
+  for (const double angle : {20.0, 90.0, 150.0}) {
+    const Shape spike = make_shape({.shape = "spike", .angle = radians(angle)});
+    ASSERT_EQ(spike.tips.size(), 1u);
+    const Vec3 rim = spike.creases[0].curve.at(0), other = spike.creases[0].curve.at(0.5);
+    EXPECT_NEAR(angle_between(rim - spike.tips[0], other - spike.tips[0]), radians(angle), 1e-12);
+    EXPECT_NEAR(spike.creases[0].deviation(0), half_pi + radians(angle / 2), 1e-12);
+  }
 }
 
 }  // namespace

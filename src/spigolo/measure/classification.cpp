@@ -13,10 +13,14 @@ namespace {
 constexpr double lattice_limit = 1.5;  // [spacings] where a tolerant score begins to count again
 constexpr double scattered_limit = 2;
 
-// Non-features up to this distance from an edge do not count.
+// Non-features up to so many local spacings from an edge do not count.
 double ignored_up_to(const FeatureTruth& truth, Scoring scoring) {
   if (scoring == Scoring::thin) return -1;
-  return (truth.lattice ? lattice_limit : scattered_limit) * truth.spacing;
+  return truth.lattice ? lattice_limit : scattered_limit;
+}
+
+double spacing_at(const FeatureTruth& truth, std::size_t i) {
+  return truth.local_spacing.empty() ? truth.spacing : truth.local_spacing[i];
 }
 
 double share(std::size_t part, std::size_t whole) {
@@ -30,20 +34,24 @@ FeatureTruth read_truth(const PointCloud& cloud, double spacing, bool lattice) {
   const Attribute* edge_distance = cloud.find("truth_edge_distance");
   if (!feature || !edge_distance)
     throw NoResultError("the cloud carries no truth_feature and truth_edge_distance to score by");
-  FeatureTruth truth{{}, edge_distance->values, spacing, lattice};
+  FeatureTruth truth{{}, edge_distance->values, spacing, lattice, {}};
+  if (const Attribute* local = cloud.find("truth_spacing")) truth.local_spacing = local->values;
   for (const double f : feature->values) truth.feature.push_back(f != 0);
   return truth;
 }
 
 Classification classify(std::span<const std::uint8_t> flagged, const FeatureTruth& truth,
                         Scoring scoring) {
-  if (flagged.size() != truth.feature.size() || flagged.size() != truth.edge_distance.size())
+  const bool local_too =
+      truth.local_spacing.empty() || truth.local_spacing.size() == truth.feature.size();
+  if (flagged.size() != truth.feature.size() || flagged.size() != truth.edge_distance.size() ||
+      !local_too)
     throw UsageError("flags and truth must have one entry per point each");
   const double limit = ignored_up_to(truth, scoring);
   Classification c;
   for (std::size_t i = 0; i < flagged.size(); ++i) {
     const bool feature = truth.feature[i] != 0, flag = flagged[i] != 0;
-    if (!feature && truth.edge_distance[i] <= limit) {
+    if (!feature && truth.edge_distance[i] <= limit * spacing_at(truth, i)) {
       ++c.ignored;
       continue;
     }

@@ -20,9 +20,11 @@ struct FeatureTruth {
   std::vector<double> edge_distance;  // of the noise-free sample to the nearest crease or tip
   double spacing = 0;                 // h, of the noise-free cloud
   bool lattice = false;               // features lie exactly on an edge, else within .75 h of one
+  std::vector<double> local_spacing = {};  // h of each place; empty: `spacing` everywhere
 };
 
-/// From the attributes truth_feature and truth_edge_distance; throws NoResultError without them.
+/// From the attributes truth_feature, truth_edge_distance and, if there, truth_spacing; throws
+/// NoResultError without the first two.
 FeatureTruth read_truth(const PointCloud& cloud, double spacing, bool lattice);
 
 /// thin: every flagged point that is no feature is wrong, however close to an edge it lies.

@@ -42,13 +42,16 @@ constexpr Entry entries[] = {
     {{"l-prism", "L-shaped block: one concave edge, two saddle corners", true}, make_l_prism},
     {{"steps", "three stairs: convex and concave edges", true}, make_steps},
     {{"star", "five-pointed star prism: acute and concave edges", false}, make_star},
-    {{"pyramid", "four edges in one corner", false}, make_pyramid},
+    {{"pyramid", "four edges in one corner, or --sides of them", false}, make_pyramid},
+    {{"fade", "an edge that fades out: from --angle at one end to flat at the other", false},
+     make_fade},
     {{"boxhole", "1 x 0.8 x 0.6 box with a round hole of radius 0.2", false}, make_boxhole},
     {{"cylinder", "radius 0.4, height 1", false}, make_cylinder},
     {{"cylinder-hole", "tube of radii 0.5 and 0.3", false}, make_cylinder_hole},
     {{"cylinders", "two crossing cylinders: curved concave edges of changing angle", false},
      make_cylinders},
     {{"cone", "a tip and a round edge", false}, make_cone},
+    {{"spike", "cone with an apex of --angle", false}, make_spike},
     {{"sphere", "smooth, closed", false}, make_sphere},
     {{"torus", "smooth, closed, with negative curvature", false}, make_torus},
     {{"cap", "sphere cut by a plane", false}, make_cap},
@@ -65,6 +68,12 @@ Construction construct(const SynthOptions& options) {
   std::string known;
   for (const Entry& entry : entries) known += std::string(" ") + entry.info.name;
   throw UsageError("no shape is called '" + options.shape + "'; known are" + known);
+}
+
+void check_angle(const SynthOptions& options) {
+  if (!(options.angle >= radians(5) && options.angle <= radians(175)))
+    throw UsageError("the angle of shape '" + options.shape +
+                     "' must lie between 5 and 175 degrees");
 }
 
 std::span<const ShapeInfo> synth_shapes() {

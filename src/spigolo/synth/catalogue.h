@@ -38,6 +38,7 @@ Construction make_l_prism(const SynthOptions& options);
 Construction make_steps(const SynthOptions& options);
 Construction make_star(const SynthOptions& options);
 Construction make_pyramid(const SynthOptions& options);
+Construction make_fade(const SynthOptions& options);
 
 // round_shapes.cpp
 Construction make_boxhole(const SynthOptions& options);
@@ -45,12 +46,16 @@ Construction make_cylinder(const SynthOptions& options);
 Construction make_cylinder_hole(const SynthOptions& options);
 Construction make_cylinders(const SynthOptions& options);
 Construction make_cone(const SynthOptions& options);
+Construction make_spike(const SynthOptions& options);
 Construction make_sphere(const SynthOptions& options);
 Construction make_torus(const SynthOptions& options);
 Construction make_cap(const SynthOptions& options);
 Construction make_lens(const SynthOptions& options);
 Construction make_patch(const SynthOptions& options);
 Construction make_dome(const SynthOptions& options);
+
+/// Throws UsageError unless options.angle lies in [5, 175] degrees.
+void check_angle(const SynthOptions& options);
 
 /// The smallest n in [first, last] whose count(n), growing with n, comes nearest to `wanted`;
 /// `usual` if nothing is wanted (0).

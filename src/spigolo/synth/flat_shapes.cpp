@@ -6,6 +6,7 @@
 #include "spigolo/synth/catalogue.h"
 #include "spigolo/synth/lattice.h"
 #include "spigolo/synth/polyhedron.h"
+#include "spigolo/synth/ridge.h"
 
 namespace spigolo {
 namespace {
@@ -176,10 +177,26 @@ Construction make_star(const SynthOptions&) {
   return {polyhedron_shape("star", prism(outline, 0, 0.5)), {}, usual_points};
 }
 
-Construction make_pyramid(const SynthOptions&) {
-  const Polyhedron solid{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0.7}},
-                         {{3, 2, 1, 0}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
+Construction make_pyramid(const SynthOptions& options) {
+  if (options.sides < 3 || options.sides > 12) throw UsageError("a pyramid has 3 to 12 sides");
+  Polyhedron solid;
+  std::vector<std::size_t> base;
+  const std::size_t n = options.sides;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double a = 2 * pi * (static_cast<double>(i) + 0.5) / static_cast<double>(n);
+    const double x = std::sqrt(0.5) * std::cos(a), y = std::sqrt(0.5) * std::sin(a);
+    solid.vertices.push_back({0.5 + x, 0.5 + y, 0});
+    base.push_back(n - 1 - i);
+    solid.faces.push_back({i, (i + 1) % n, n});
+  }
+  solid.vertices.push_back({0.5, 0.5, 0.7});
+  solid.faces.insert(solid.faces.begin(), base);
   return {polyhedron_shape("pyramid", solid), {}, usual_points};
+}
+
+Construction make_fade(const SynthOptions& options) {
+  check_angle(options);
+  return {ridge_shape("fade", {1, 0.3, options.angle, pi}), {}, usual_points};
 }
 
 }  // namespace spigolo

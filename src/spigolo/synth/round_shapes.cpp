@@ -120,6 +120,19 @@ Construction make_cone(const SynthOptions&) {
   return {shape, {}, usual_points};
 }
 
+Construction make_spike(const SynthOptions& options) {
+  check_angle(options);
+  constexpr double r = 0.5;
+  const double half = options.angle / 2, height = r / std::tan(half);
+  Shape shape{.name = "spike"};
+  shape.radius = height > r ? (r * r + height * height) / (2 * height) : r;
+  shape.patches.push_back(turned_segment({}, {r, 0}, {0, height}));
+  shape.patches.push_back(disk({}, r));
+  shape.creases.push_back(rim({}, r, half_pi + half));
+  shape.tips.push_back({0, 0, height});
+  return {shape, {}, usual_points};
+}
+
 Construction make_cap(const SynthOptions&) {
   constexpr double r = 0.5, cut = -0.2;  // of the plane, from the center
   const double from = std::asin(cut / r), rim_radius = r * std::cos(from);

@@ -1,85 +1,93 @@
 // Copyright 2026 The spigolo authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// spigolo/synth/synth.cpp - sample a shape, note the truth, add the noise
+// spigolo/synth/synth.cpp - sample a shape, note the truth, spoil the samples
 #include "spigolo/synth/synth.h"
 
 #include <utility>
 
 #include "spigolo/core/error.h"
-#include "spigolo/core/features.h"
-#include "spigolo/core/parallel.h"
+#include "spigolo/index/spacing.h"
 #include "spigolo/synth/catalogue.h"
 #include "spigolo/synth/sampling.h"
+#include "spigolo/synth/spoil.h"
+#include "spigolo/synth/truth.h"
 
 namespace spigolo {
 namespace {
 
-constexpr double on_edge = 1e-12;   // share of the shape's radius that is rounding
-constexpr double near_edge = 0.75;  // [spacings] off the lattice, nearer is a feature
-constexpr std::uint64_t noise_stream = 0x6e6f697365u;  // noise does not shift the samples' numbers
+constexpr double blue_h = 0.8;  // h of blue samples in sqrt(area per sample)
 
-void check(const SynthOptions& options) {
-  if (!(options.noise >= 0 && std::isfinite(options.noise)))
-    throw UsageError("the noise of a constructed cloud must be a number of spacings >= 0");
-  if (!(options.noise_percent >= 0 && std::isfinite(options.noise_percent)))
-    throw UsageError("the noise of a constructed cloud must be a percentage >= 0");
-  if (!(options.size > 0 && std::isfinite(options.size)))
-    throw UsageError("the size of a fillet, chamfer, plate or slot must be > 0 spacings");
+void require(bool right, const char* message) {
+  if (!right) throw UsageError(message);
 }
 
-std::vector<Vec3> sample(const Construction& made, const SynthOptions& options, const Job& job) {
-  const std::size_t count = options.points > 0 ? options.points : made.points;
+bool in(double x, double low, double high) { return x >= low && x <= high; }
+
+void check(const SynthOptions& o) {
+  require(o.noise >= 0 && std::isfinite(o.noise),
+          "the noise of a constructed cloud must be a number of spacings >= 0");
+  require(o.noise_percent >= 0 && std::isfinite(o.noise_percent),
+          "the noise of a constructed cloud must be a percentage >= 0");
+  require(o.size > 0 && std::isfinite(o.size),
+          "the size of a fillet, chamfer, plate or slot must be > 0 spacings");
+  require(in(o.density_gradient, 1, 1000), "the density gradient must lie between 1 and 1000");
+  require(in(o.noise_gradient, 1, 1000), "the noise gradient must lie between 1 and 1000");
+  require(in(o.duplicates, 0, 1), "the share of duplicates must lie between 0 and 1");
+  require(in(o.outliers, 0, 1), "the share of outliers must lie between 0 and 1");
+  require(o.views >= 1 && o.views <= 64, "there may be 1 to 64 views");
+  require(o.density_gradient == 1 || o.sampling == Sampling::random || o.sampling == Sampling::blue,
+          "a density gradient needs random or blue samples");
+}
+
+/// The spacing of every place by the samples themselves: h of blue samples of that density.
+LocalSpacing spacing_of_samples(const std::vector<Vec3>& points, const Job& job) {
+  const OrderedCloud ordered = order_cloud(points, job);
+  const KdTree tree(ordered);
+  const Spacing spacing = estimate_spacing(tree.points(), find_neighborhoods(tree, 12, job), job);
+  LocalSpacing result(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    result[i] = blue_h * spacing.of_point[ordered.rank[i]];
+  return result;
+}
+
+LocalSpacing spacing_by_density(const SynthCloud& made, const Gradient& density, double expected,
+                                const Job& job) {
+  std::vector<double> h = nearest_distances(made.exact, expected, job);
+  for (std::size_t i = 0; i < h.size(); ++i) h[i] *= std::sqrt(density.at(made.exact[i]));
+  const double unit = median(h);
+  for (std::size_t i = 0; i < h.size(); ++i) h[i] = unit / std::sqrt(density.at(made.exact[i]));
+  return h;
+}
+
+/// Fills made.exact and made.spacing; the result is empty if the spacing is the same everywhere.
+LocalSpacing sample(const Construction& shape, const SynthOptions& options, SynthCloud& made,
+                    const Job& job) {
+  const std::size_t count = options.points > 0 ? options.points : shape.points;
   Random random(options.seed);
-  if (options.sampling == Sampling::lattice) return made.lattice();
-  if (options.sampling == Sampling::random) return sample_random(made.shape, count, random);
-  return sample_blue(made.shape, count, random, job);
-}
-
-PointKind kind_of(const Shape& shape, const Vec3& p, double edge, double limit) {
-  if (corner_distance(shape, p) <= limit) return PointKind::corner;
-  if (tip_distance(shape, p) <= limit) return PointKind::tip;
-  if (edge <= limit) return PointKind::edge;
-  return border_distance(shape, p) <= limit ? PointKind::border : PointKind::surface;
-}
-
-/// truth_feature, truth_edge_distance and truth_kind of the noise-free samples.
-void add_truth(SynthCloud& made, const Job& job) {
-  const std::size_t n = made.exact.size();
-  const double rounding = on_edge * made.shape.radius;
-  const double limit = made.lattice ? rounding : near_edge * made.spacing;
-  std::vector<double> feature(n), distance(n), kind(n);
-  parallel_for(job, "truth", n, 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const double d = edge_distance(made.shape, made.exact[i]);
-      const PointKind k = kind_of(made.shape, made.exact[i], d, limit);
-      distance[i] = d <= rounding ? 0 : d;
-      kind[i] = static_cast<double>(k);
-      feature[i] = k != PointKind::surface && k != PointKind::border;
-    }
-  });
-  made.cloud.set("truth_feature", ScalarType::uint8, std::move(feature));
-  made.cloud.set("truth_edge_distance", ScalarType::float64, std::move(distance));
-  made.cloud.set("truth_kind", ScalarType::uint8, std::move(kind));
-}
-
-void add_noise(SynthCloud& made, const SynthOptions& options) {
-  Random random(options.seed ^ noise_stream);
-  const double sigma = options.noise * made.spacing;
-  const double ball = options.noise_percent / 100 * made.shape.radius;
-  for (Vec3& p : made.cloud.points) {
-    if (sigma > 0) {
-      const double x = random.normal(), y = random.normal(), z = random.normal();
-      p += sigma * Vec3{x, y, z};
-    }
-    if (ball > 0) p += ball * random.in_ball();
+  if (options.sampling == Sampling::scan) {
+    const ScanLines lines = sample_scan(made.shape, count, random, job);
+    made.exact = lines.points;
+    made.spacing = blue_h * std::sqrt(lines.along * lines.across);
+    return LocalSpacing(made.exact.size(), made.spacing);
   }
-  for (const std::size_t axis : {0u, 1u, 2u}) {
-    std::vector<double> values(made.exact.size());
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = made.exact[i][axis];
-    const char* names[] = {"truth_x", "truth_y", "truth_z"};
-    made.cloud.set(names[axis], ScalarType::float64, std::move(values));
+  if (options.sampling == Sampling::view) {
+    made.exact = sample_view(made.shape, count, options.views, random, job);
+    LocalSpacing local = spacing_of_samples(made.exact, job);
+    made.spacing = median(local);
+    return local;
   }
+  Gradient density;
+  if (options.density_gradient > 1)
+    density = Gradient(sampled_box(made.shape), 0, options.density_gradient);
+  if (options.sampling == Sampling::lattice) made.exact = shape.lattice();
+  if (options.sampling == Sampling::random)
+    made.exact = sample_random(made.shape, count, random, density);
+  if (options.sampling == Sampling::blue)
+    made.exact = sample_blue(made.shape, count, random, job, density);
+  const double mean = std::sqrt(area(made.shape) / static_cast<double>(made.exact.size()));
+  made.spacing = median_spacing(made.exact, mean, job);
+  return density.even() ? LocalSpacing{} : spacing_by_density(made, density, mean, job);
 }
 
 }  // namespace
@@ -95,13 +103,14 @@ SynthCloud make_cloud(const SynthOptions& options, const Job& job) {
 
   SynthCloud result;
   result.lattice = settled.sampling == Sampling::lattice;
-  result.exact = sample(made, settled, job);
   result.shape = std::move(made.shape);
-  const double mean = std::sqrt(area(result.shape) / static_cast<double>(result.exact.size()));
-  result.spacing = median_spacing(result.exact, mean, job);
+  const LocalSpacing local = sample(made, settled, result, job);
   result.cloud.points = result.exact;
-  add_truth(result, job);
+  add_truth(result, local, settled.sampling == Sampling::view, job);
+  const std::size_t samples = result.exact.size();
   if (options.noise > 0 || options.noise_percent > 0) add_noise(result, options);
+  if (options.duplicates > 0) add_duplicates(result, options);
+  if (options.outliers > 0) add_outliers(result, options, samples);
   return result;
 }
 

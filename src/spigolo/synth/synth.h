@@ -16,9 +16,10 @@
 namespace spigolo {
 
 /// lattice: the shape's own regular grid, with samples on the edges. random: uniform by area. blue:
-/// random with a smallest distance between samples (like a Poisson disk sampling).
-/// automatic: lattice if the shape has one, else blue.
-enum class Sampling : std::uint8_t { automatic, lattice, random, blue };
+/// random with a smallest distance between samples (like a Poisson disk sampling). scan: scan
+/// lines, four times denser along than across. view: what scanners at SynthOptions::views places
+/// see. automatic: lattice if the shape has one, else blue.
+enum class Sampling : std::uint8_t { automatic, lattice, random, blue, scan, view };
 
 struct SynthOptions {
   std::string shape = "cube";
@@ -30,21 +31,34 @@ struct SynthOptions {
   double angle = radians(90);  // [rad] interior angle of `wedge`, in [5, 175] degrees
   double size = 4;             // fillet radius, chamfer width, thickness of plate or slot, in mean
                                // spacings sqrt(area / points)
+  std::size_t sides = 4;       // of the base of `pyramid`, 3 to 12
+  std::size_t views = 1;       // scanner places of Sampling::view, 1 to 64
+  double density_gradient = 1;  // random and blue: samples per area at one end of the shape's
+                                // longest extent over those at the other; in [1, 1000]
+  double noise_gradient = 1;    // the same for the noise, along the second longest extent; `noise`
+                                // is the geometric middle; in [1, 1000]
+  double duplicates = 0;        // samples that come twice, in [0, 1], a share of the samples
+  double outliers = 0;          // added anywhere in the box 1.2 times as large, in [0, 1], a share
 };
 
 /// A sampled shape. The cloud carries
 ///   truth_feature        uint8    1: lattice: lies on a crease, corner or tip; else: its
-///   noise-free
-///                                 position is within .75 spacing of one
+///                                 noise-free place is within .75 h of one (h of the place, where
+///                                 the density changes)
 ///   truth_edge_distance  float64  exact distance of the noise-free sample to the nearest crease or
 ///                                 tip; infinite if there is none
 ///   truth_kind           uint8    PointKind by the same limit; border samples are no features
 ///   truth_x truth_y truth_z  float64  the noise-free sample; only when there is noise
+///   truth_spacing        float64  h of the place; only with a density gradient, scan or view
+///   truth_outlier        uint8    1 for outliers, which are never features; only with outliers
+/// With Sampling::view a crease of which one side was not seen is a border, not a feature.
+/// Duplicates and then outliers stand behind the samples.
 struct SynthCloud {
   PointCloud cloud;
-  std::vector<Vec3> exact;  // the noise-free samples
+  std::vector<Vec3> exact;  // the noise-free samples; outliers as they are
   Shape shape;
-  double spacing = 0;  // h: median distance of the noise-free samples to their nearest one
+  double spacing = 0;  // h: median distance of the noise-free samples to their nearest one; scan
+                       // and view: that of blue samples of the same density
   bool lattice = false;
 };
 

@@ -5,6 +5,7 @@
 #include "spigolo/synth/catalogue.h"
 #include "spigolo/synth/lattice.h"
 #include "spigolo/synth/polyhedron.h"
+#include "spigolo/synth/ridge.h"
 
 namespace spigolo {
 namespace {
@@ -53,38 +54,8 @@ Construction hole_construction(const std::string& name, const HoleLattice& s) {
           count(s)};
 }
 
-/// Half of the angle between the two sheets of `planes` at the share u of its edge.
-double planes_half_angle(double u) { return radians(45 + (140 - 45) * u) / 2; }
-
-Vec3 planes_direction(double u, int side) {
-  const double a = planes_half_angle(u);
-  return {0, side * std::sin(a), std::cos(a)};
-}
-
-Shape planes_shape(double length, double width) {
-  Shape shape;
-  shape.name = "planes";
-  const Vec3 edge{length, 0, 0};
-  const double twist = planes_half_angle(1) - planes_half_angle(0);
-  for (const int side : {-1, 1}) {
-    auto outer = [=](double u) { return u * edge + width * planes_direction(u, side); };
-    auto element = [=](double, double v) { return width * std::hypot(length, width * v * twist); };
-    shape.patches.push_back(
-        ruled_patch({[=](double u) { return u * edge; }, outer, element, element(0, 1), 32}));
-    shape.borders.push_back(parametric(outer, false, 32));
-    for (const double u : {0.0, 1.0}) shape.borders.push_back(segment(u * edge, outer(u)));
-  }
-  shape.creases.push_back(
-      {segment({}, edge), [](double u) { return pi - 2 * planes_half_angle(u); }, 1});
-  // the ends of the long borders lie farthest out
-  shape.radius = bounding_radius({shape.borders[0].at(0),
-                                  shape.borders[0].at(1),
-                                  shape.borders[3].at(0),
-                                  shape.borders[3].at(1),
-                                  {},
-                                  edge});
-  return shape;
-}
+/// Interior angle of `planes` from one end of its edge to the other.
+constexpr double planes_from = radians(45), planes_to = radians(140);
 
 /// Rows of samples parallel to an edge of `along` samples: `rows` on each side and the edge itself.
 std::vector<Vec3> sheet_lattice(std::size_t along, std::size_t rows,
@@ -132,8 +103,10 @@ Construction make_planes(const SynthOptions& options) {
   const std::size_t rows =
       nearest_count(options.points, 12, [&](std::size_t r) { return along(r) * (2 * r + 1); });
   const std::size_t n = along(rows);
-  return {planes_shape(static_cast<double>(n - 1), static_cast<double>(rows)),
-          [=] { return sheet_lattice(n, rows, planes_direction); }, n * (2 * rows + 1)};
+  const Ridge ridge{static_cast<double>(n - 1), static_cast<double>(rows), planes_from, planes_to};
+  auto direction = [=](double u, int side) { return ridge_direction(ridge, u, side); };
+  return {ridge_shape("planes", ridge), [=] { return sheet_lattice(n, rows, direction); },
+          n * (2 * rows + 1)};
 }
 
 Construction make_hole(const SynthOptions& options) {
@@ -155,8 +128,7 @@ Construction make_hole17k(const SynthOptions& options) {
 }
 
 Construction make_wedge(const SynthOptions& options) {
-  if (!(options.angle >= radians(5) && options.angle <= radians(175)))
-    throw UsageError("the angle of a wedge must lie between 5 and 175 degrees");
+  check_angle(options);
   const std::size_t rows =
       nearest_count(options.points, 20, [](std::size_t r) { return 3 * r * (2 * r + 1); });
   const std::size_t along = 3 * rows;

@@ -1,0 +1,131 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/mls/sharp_neighborhood.cpp
+#include "spigolo/mls/sharp_neighborhood.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "spigolo/core/error.h"
+
+namespace spigolo {
+namespace {
+
+// Closer to the line than this share of the spacing, (4.5) compares what is mostly chance.
+constexpr double on_line_share = 0.1;
+
+// In noise the normals of one sheet spread as in the feature test of chapter 3.
+ConnectOptions connect_options(double noise, std::size_t k) {
+  ConnectOptions options;
+  options.k = k;
+  options.sigma = noise <= 0.03 ? 0.3 : noise <= 0.1 ? 0.5 : 0.7;
+  return options;
+}
+
+// The feature points of the edge that is nearest to the query: its nearest feature point and those
+// of the neighborhood that this one is connected to (§4.3.6).
+void gather_line_points(const MlsCloud& cloud, const FeatureMap& features, bool connected,
+                        FeatureLineScratch& s) {
+  s.line_points.clear();
+  s.on_line.assign(s.mls.found.size(), 0);
+  std::span<const std::uint32_t> edge;
+  std::uint32_t nearest = no_point;
+  for (std::size_t i = 0; i < s.mls.found.size(); ++i) {
+    const std::uint32_t f = s.mls.found[i].index;
+    if (!features.is_feature[f]) continue;
+    if (nearest == no_point) nearest = f, edge = features.connected.of(f);
+    if (connected && f != nearest && !std::binary_search(edge.begin(), edge.end(), f)) continue;
+    s.on_line[i] = 1;
+    s.line_points.push_back(cloud.points()[f]);
+  }
+}
+
+// For a query on the line, which is on no side: the vector of its nearest neighbor off the line.
+Vec3 side_vector(const MlsCloud& cloud, const LineFoot& foot, double least,
+                 const FeatureLineScratch& s) {
+  for (std::size_t i = 0; i < s.mls.found.size(); ++i) {
+    const Vec3& x = cloud.points()[s.mls.found[i].index];
+    const Vec3 v = foot.nearest(x) - x;
+    if (!s.on_line[i] && norm(v) > least) return v;
+  }
+  return {};
+}
+
+// Keeps the neighbors whose way to the line is like `to_line`, the query's, and those the line is
+// made of; returns the number of the others.
+std::size_t cut(const MlsCloud& cloud, const Vec3& to_line, const LineFoot& foot, double side_angle,
+                FeatureLineScratch& s) {
+  const double least = std::cos(side_angle) * norm(to_line);
+  s.mls.neighbors.clear();
+  for (std::size_t i = 0; i < s.mls.found.size(); ++i) {
+    const Vec3& x = cloud.points()[s.mls.found[i].index];
+    const Vec3 v = foot.nearest(x) - x;
+    // (4.5), with the scalar product of unit vectors; a neighbor on the line is on both sides
+    if (s.on_line[i] || dot(to_line, v) >= least * norm(v)) s.mls.neighbors.push_back(x);
+  }
+  return s.mls.found.size() - s.mls.neighbors.size();
+}
+
+// §4.3.5: as many samples of the line as neighbors were removed, evenly from end to end.
+void refill(const FeatureLine& line, std::size_t count, std::vector<Vec3>& neighbors) {
+  for (std::size_t i = 0; i < count; ++i)
+    neighbors.push_back(
+        point_at(line, (static_cast<double>(i) + 0.5) / static_cast<double>(count)));
+}
+
+}  // namespace
+
+FeatureMap map_features(const MlsCloud& cloud, std::span<const PointKind> kind_of_input,
+                        std::size_t k, const Job& job) {
+  const OrderedCloud& ordered = cloud.ordered();
+  if (kind_of_input.size() != ordered.rank.size())
+    throw UsageError("there are " + std::to_string(kind_of_input.size()) + " labels for " +
+                     std::to_string(ordered.rank.size()) + " points; they are of another cloud");
+  FeatureMap map;
+  map.is_feature.assign(ordered.size(), 0);
+  for (std::size_t i = 0; i < kind_of_input.size(); ++i) {
+    const PointKind kind = kind_of_input[i];
+    const bool sharp = kind != PointKind::surface && kind != PointKind::border;
+    if (sharp && ordered.rank[i] != no_point) map.is_feature[ordered.rank[i]] = 1;
+  }
+  map.connected =
+      connect_features(cloud.tree(), map.is_feature, connect_options(cloud.noise(), k), job);
+  return map;
+}
+
+std::optional<FeatureLine> local_feature_line(const MlsCloud& cloud, const FeatureMap& features,
+                                              const FeatureLineOptions& options,
+                                              FeatureLineScratch& scratch) {
+  gather_line_points(cloud, features, options.connected, scratch);
+  return make_feature_line(scratch.line_points);
+}
+
+SurfacePoint project_feature_line(const MlsCloud& cloud, const FeatureMap& features,
+                                  const Vec3& query, const FeatureLineOptions& options,
+                                  FeatureLineScratch& scratch) {
+  const Vec3 p = query - cloud.origin();
+  MlsScratch& mls = scratch.mls;
+  const Surroundings around = look_around(cloud, p, options.mls, mls);
+  if (around.status != SurfaceStatus::sheet) return {query, {}, {}, around.status};
+  const double h = options.mls.smoothing * around.spacing;
+  const auto line = local_feature_line(cloud, features, options, scratch);
+  std::optional<Vec3> on_line;
+  mls.neighbors.clear();
+  if (line) {
+    const LineFoot foot(*line);
+    const Vec3 nearest = foot.nearest(p);
+    const double least = on_line_share * around.spacing;
+    if (distance(nearest, p) <= least) on_line = nearest;
+    const Vec3 to_line = on_line ? side_vector(cloud, foot, least, scratch) : nearest - p;
+    refill(*line, cut(cloud, to_line, foot, options.side_angle, scratch), mls.neighbors);
+  } else {
+    for (const Neighbor& n : mls.found) mls.neighbors.push_back(cloud.points()[n.index]);
+  }
+  SurfacePoint result = project_levin(p, mls.neighbors, h, mls);
+  if (on_line) result.position = *on_line, result.status = SurfaceStatus::crease;
+  result.position = on_surface(result.status) ? result.position + cloud.origin() : query;
+  return result;
+}
+
+}  // namespace spigolo

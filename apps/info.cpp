@@ -16,6 +16,7 @@ namespace spigolo {
 namespace {
 
 constexpr std::size_t bytes_per_point = 250;
+constexpr std::size_t bytes_per_triangle = 250;
 
 const VerbHelp help = {"info",
                        "What a file holds: counts, bounds, spacing, noise estimate, attributes.",
@@ -56,6 +57,17 @@ std::string info_text(const std::string& path, const ReadReport& seen, const Tri
   return text + "attributes  " + (names.empty() ? "none" : names) + "\n";
 }
 
+// Triangles that name a vertex twice have no area and no place among the others.
+MeshCheck check_triangles(TriangleMesh mesh, Run& run) {
+  const std::size_t all = mesh.triangles.size();
+  std::erase_if(mesh.triangles,
+                [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  run.check_memory(mesh.triangles.size(), bytes_per_triangle);
+  MeshCheck check = check_mesh(mesh, {}, run.job());
+  check.degenerate += all - mesh.triangles.size();
+  return check;
+}
+
 }  // namespace
 
 void run_info(const std::vector<std::string>& arguments) {
@@ -68,14 +80,20 @@ void run_info(const std::vector<std::string>& arguments) {
 
   Run run(common);
   ReadReport seen;
-  const TriangleMesh mesh = read_surface(path, run, seen);
+  TriangleMesh mesh = read_surface(path, run, seen);
   warn(seen, path, run);
   run.check_memory(mesh.vertices.size(), bytes_per_point);
   const CloudSummary summary = summarize(mesh.vertices.points, run.job());
   Json json = info_json(path, seen, mesh, summary);
+  std::string text = info_text(path, seen, mesh, summary);
+  if (!mesh.triangles.empty()) {
+    const MeshCheck check = check_triangles(std::move(mesh), run);
+    json["mesh"] = to_json(check);
+    text += "mesh        " + check_text(check);
+  }
   json["seconds"] = {{"total", run.total_seconds()}};
   save_parameters(common, help, line.parameters());
-  run.print(json, info_text(path, seen, mesh, summary));
+  run.print(json, text);
 }
 
 }  // namespace spigolo

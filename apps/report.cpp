@@ -36,6 +36,26 @@ Json to_json(const CloudSummary& summary) {
   return json;
 }
 
+Json to_json(const MeshCheck& check) {
+  return {{"vertices", check.vertices},
+          {"edges", check.edges},
+          {"triangles", check.triangles},
+          {"closed", check.closed()},
+          {"manifold", check.manifold()},
+          {"oriented", check.oriented()},
+          {"self_intersections", check.self_intersections},
+          {"degenerate", check.degenerate},
+          {"components", check.components},
+          {"euler", check.euler},
+          {"border_edges", check.border_edges},
+          {"border_loops", check.border_loops},
+          {"nonmanifold_edges", check.nonmanifold_edges},
+          {"nonmanifold_vertices", check.nonmanifold_vertices},
+          {"misoriented_edges", check.misoriented_edges},
+          {"area", check.area},
+          {"volume", check.closed() && check.oriented() ? Json(check.volume) : Json()}};
+}
+
 Json attributes_json(const PointCloud& cloud) {
   Json json = Json::array();
   for (const Attribute& a : cloud.attributes)
@@ -113,6 +133,27 @@ std::string summary_text(const CloudSummary& summary) {
   }
   text += "spacing     " + number_text(summary.spacing) + "\n";
   return text + "noise       " + number_text(summary.noise) + " spacings\n";
+}
+
+std::string check_text(const MeshCheck& check) {
+  const auto counted = [](std::size_t n, const char* what) {
+    return n == 0 ? std::string() : ", " + count_text(n) + " " + what;
+  };
+  std::string text = count_text(check.vertices) + " vertices, " + count_text(check.triangles) +
+                     " triangles in " + count_text(check.components) +
+                     (check.components == 1 ? " piece" : " pieces") + ", Euler number " +
+                     std::to_string(check.euler) + "\n";
+  text += check.closed() ? "closed" : "open";
+  if (!check.closed())
+    text += " (" + count_text(check.border_edges) + " border edges in " +
+            count_text(check.border_loops) + " loops)";
+  text += check.manifold() ? ", manifold" : ", not manifold";
+  text += check.oriented() ? ", oriented" : ", not oriented";
+  text += counted(check.nonmanifold_edges, "edges with more than two triangles") +
+          counted(check.nonmanifold_vertices, "vertices with more than one fan") +
+          counted(check.misoriented_edges, "edges with triangles that face opposite ways") +
+          counted(check.degenerate, "degenerate triangles");
+  return text + ", " + count_text(check.self_intersections) + " self-intersections\n";
 }
 
 const char* type_name(ScalarType type) {

@@ -12,6 +12,7 @@
 #include "spigolo/detect/detect.h"
 #include "spigolo/index/summary.h"
 #include "spigolo/measure/distance.h"
+#include "spigolo/mesh/check.h"
 
 namespace spigolo {
 
@@ -22,6 +23,7 @@ struct DetectTimes {
 Json to_json(const Vec3& v);
 Json to_json(const DistanceStats& stats);
 Json to_json(const CloudSummary& summary);
+Json to_json(const MeshCheck& check);
 Json attributes_json(const PointCloud& cloud);
 Json detect_json(const Detection& detection, const std::string& method, const Json& parameters,
                  const DetectTimes& times);
@@ -35,6 +37,7 @@ std::string seconds_text(double seconds);
 std::string detect_text(const Detection& detection, const std::string& method,
                         const DetectTimes& times);
 std::string summary_text(const CloudSummary& summary);
+std::string check_text(const MeshCheck& check);
 
 /// "float64" and so on.
 const char* type_name(ScalarType type);

@@ -3,7 +3,9 @@
 //
 // bench/main.cpp - measures everything and writes docs/results.md
 //
-// spigolo_bench [--data DIR] [--peers] [--out FILE] [--pictures DIR]
+// spigolo_bench [--data DIR] [--peers] [--only NAME,...] [--out FILE] [--pictures DIR]
+#include <ctime>
+#include <functional>
 #include <iostream>
 #include <string>
 
@@ -13,9 +15,17 @@
 
 namespace {
 
+using spigolo::bench::Report;
+
 struct Arguments {
   std::filesystem::path data, out = "docs/results.md", pictures = "out/bench";
+  std::string only;  // names of sections between commas; empty: all
   bool peers = false;
+};
+
+struct Section {
+  const char* name;
+  std::function<void(Report&)> run;
 };
 
 Arguments parse(int argc, char** argv) {
@@ -33,36 +43,56 @@ Arguments parse(int argc, char** argv) {
       a.out = argv[++i];
     else if (option == "--pictures")
       a.pictures = argv[++i];
+    else if (option == "--only")
+      a.only = argv[++i];
     else
       throw spigolo::UsageError("unknown option " + option +
-                                "; there are --data --peers --out --pictures");
+                                "; there are --data --peers --only --out --pictures");
   }
   return a;
 }
 
-void run(const Arguments& arguments) {
+void no_data(Report& report) {
+  report.heading(2, "Real clouds");
+  report.text("Not run: `./dev bench --data DIR` takes a folder of models.");
+}
+
+void no_peers(Report& report) {
+  report.heading(2, "Rivals");
+  report.text("Not run: `./dev bench --peers` installs and runs them.");
+}
+
+std::vector<Section> sections(const Arguments& a) {
   using namespace spigolo::bench;
+  const auto shipped = a.out.parent_path() / "pictures";  // linked from the results
+  return {{"thesis", thesis_tables},
+          {"lattice", off_the_lattice},
+          {"noise", [=](Report& r) { noise_map(r, shipped); }},
+          {"fillets", fillets},
+          {"creases", creases},
+          {"hardships", hardships},
+          {"real",
+           [=](Report& r) { a.data.empty() ? no_data(r) : real_clouds(r, a.data, a.pictures); }},
+          {"speed", [=](Report& r) { speed(r, a.data); }},
+          {"peers", [=](Report& r) { no_peers(r); }}};
+}
+
+bool chosen(const std::string& name, const std::string& only) {
+  return only.empty() || ("," + only + ",").find("," + name + ",") != std::string::npos;
+}
+
+void run(const Arguments& arguments) {
   Report report;
   report.heading(1, "Results");
   report.text(
       "Made by `./dev bench`; do not edit by hand. docs/benchmarks.md says what is measured and "
       "how.");
-  std::cerr << "thesis's tables\n";
-  thesis_tables(report);
-  std::cerr << "off the lattice\n";
-  off_the_lattice(report);
-  if (arguments.data.empty()) {
-    report.heading(2, "Real clouds");
-    report.text("Not run: `./dev bench --data DIR` takes a folder of models.");
-  } else {
-    std::cerr << "real clouds\n";
-    real_clouds(report, arguments.data, arguments.pictures);
-  }
-  std::cerr << "speed\n";
-  speed(report, arguments.data);
-  if (arguments.peers) {
-    report.heading(2, "Peers");
-    report.text("This version compares with no other program yet.");
+  for (const Section& section : sections(arguments)) {
+    if (!chosen(section.name, arguments.only)) continue;
+    std::cerr << section.name << std::flush;
+    const std::clock_t start = std::clock();
+    section.run(report);
+    std::cerr << ": " << (std::clock() - start) / CLOCKS_PER_SEC << " s of CPU\n";
   }
   const std::string text = report.str();
   spigolo::AtomicFile out(arguments.out);

@@ -12,6 +12,11 @@ namespace spigolo::bench {
 
 void thesis_tables(Report& report);    // tables 1 and 2, section 3.7.1, figure 26
 void off_the_lattice(Report& report);  // what the thesis could not measure
+/// The picture noise-map.png goes to `pictures`.
+void noise_map(Report& report, const std::filesystem::path& pictures);
+void fillets(Report& report);
+void creases(Report& report);
+void hardships(Report& report);
 void speed(Report& report, const std::filesystem::path& data);  // data may be empty
 /// Files of the folder `data` (see docs/benchmarks.md); pictures go to `pictures`.
 void real_clouds(Report& report, const std::filesystem::path& data,

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // apps/info.cpp - spigolo info: what a file holds
-#include <algorithm>
-#include <array>
-
+#include "cad_report.h"
 #include "files.h"
 #include "report.h"
 #include "run.h"
-#include "spigolo/core/error.h"
+#include "spigolo/cad/cad_file.h"
 #include "spigolo/index/summary.h"
 #include "verbs.h"
 
@@ -18,17 +16,20 @@ namespace {
 constexpr std::size_t bytes_per_point = 250;
 constexpr std::size_t bytes_per_triangle = 250;
 
-const VerbHelp help = {"info",
-                       "What a file holds: counts, bounds, spacing, noise estimate, attributes.",
-                       "spigolo info scan.ply"};
+const VerbHelp help = {
+    "info",
+    "What a file holds: counts, bounds, spacing, noise estimate, attributes; of a CAD "
+    "file its faces.",
+    "spigolo info scan.ply"};
 
-void refuse_cad(const std::string& path) {
-  constexpr std::array<const char*, 4> cad = {".step", ".stp", ".iges", ".igs"};
-  const std::string extension = lower_extension(path);
-  if (std::find(cad.begin(), cad.end(), extension) != cad.end())
-    throw InputError(path, "",
-                     "is a CAD file, and this build has no CAD reader; save it as .stl, .obj or "
-                     ".ply from the CAD program");
+void print_cad(const std::string& path, const CommonOptions& common, const CommandLine& line) {
+  Run run(common);
+  run.check_file_size(path);
+  const CadFile file(path);
+  Json json = cad_json(path, file);
+  json["seconds"] = {{"total", run.total_seconds()}};
+  save_parameters(common, help, line.parameters());
+  run.print(json, cad_text(path, file));
 }
 
 Json info_json(const std::string& path, const ReadReport& seen, const TriangleMesh& mesh,
@@ -74,9 +75,9 @@ void run_info(const std::vector<std::string>& arguments) {
   CommonOptions common;
   std::string path;
   CommandLine line(help, common);
-  line.app().add_option("FILE", path, "cloud or mesh; - is standard input")->required();
+  line.app().add_option("FILE", path, "cloud, mesh or CAD file; - is standard input")->required();
   if (!line.parse(arguments)) return;
-  refuse_cad(path);
+  if (is_cad_file(path)) return print_cad(path, common, line);
 
   Run run(common);
   ReadReport seen;

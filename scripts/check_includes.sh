@@ -15,7 +15,7 @@ ladder=(
   'core:'
   'io:core'
   'index:core'
-  'cad:core'
+  'cad:io'
   'sheets:index'
   'gauss_map:index'
   'detect:sheets gauss_map'
@@ -35,6 +35,7 @@ doors=(
   'tbb/|src/spigolo/core/parallel.cpp'
   'sanitizer/|src/spigolo/core/parallel.cpp'
   'zlib.h|src/spigolo/render/*.cpp src/spigolo/io/*.cpp tests/* fuzz/*'
+  'OpenCASCADE/|src/spigolo/cad/*.cpp src/spigolo/cad/*-inl.h'
   'hwy/|src/*_simd.cpp src/*-inl.h'
   'Eigen/|src/*.cpp src/*-inl.h tests/* bench/*'
   'nanoflann.hpp|tests/* bench/*'
@@ -84,6 +85,7 @@ check_ours() {
 # check_door FILE HEADER: an include in angle brackets
 check_door() {
   local file=$1 header=$2 door pattern
+  if [[ $header == *.hxx ]]; then header=OpenCASCADE/$header; fi  # its headers have no folder
   if [[ $header != */* && $header != *.* ]]; then return 0; fi  # the C++ standard library
   if [[ $header == spigolo/* ]]; then
     if [[ $file == src/* ]]; then complain "$file" "<$header>: ours is included in quotes"; fi

@@ -4,6 +4,8 @@
 // apps/feature_cloud.h - verdicts as attributes of a cloud, as detect writes them
 #pragma once
 
+#include <string>
+
 #include "spigolo/core/features.h"
 #include "spigolo/core/point_cloud.h"
 
@@ -16,5 +18,10 @@ PointCloud with_features(PointCloud cloud, const Features& features);
 
 /// The kinds in an attribute of such a cloud; anything that is no kind counts as surface.
 std::vector<PointKind> kinds_of(const Attribute& attribute);
+
+/// Labels read back from a cloud that detect wrote, for the points of `cloud`. file: for messages.
+/// Throws InputError if there is no scalar_kind, or if the points are others than those of `cloud`
+/// (farther away than a millionth of its size, which float coordinates explain).
+Features features_of(const PointCloud& labels, const PointCloud& cloud, const std::string& file);
 
 }  // namespace spigolo

@@ -28,10 +28,11 @@ struct Verb {
   void (*run)(const Arguments&);
 };
 
-constexpr std::array<Verb, 6> verbs = {{
+constexpr std::array<Verb, 7> verbs = {{
     {"info", "FILE", "what the file holds: counts, bounds, spacing, noise, attributes", run_info},
     {"detect", "CLOUD -o OUT.ply", "label every point: surface, edge, corner, tip, border",
      run_detect},
+    {"smooth", "CLOUD -o OUT.ply", "every point projected onto the sharp surface", run_smooth},
     {"compare", "A B", "distances of A to B and of B to A", run_compare},
     {"synth", "SHAPE -o OUT", "a constructed shape with the exact truth", run_synth},
     {"render", "FILE... -o PIC.png", "a picture without a screen", run_render},
@@ -39,7 +40,7 @@ constexpr std::array<Verb, 6> verbs = {{
 }};
 
 // Promised by the documentation, not built yet.
-constexpr std::array<const char*, 4> later_verbs = {"lines", "smooth", "mesh", "blend"};
+constexpr std::array<const char*, 3> later_verbs = {"lines", "mesh", "blend"};
 
 std::string general_help() {
   std::string text =

@@ -15,6 +15,7 @@ void run_detect(const std::vector<std::string>& arguments);
 void run_compare(const std::vector<std::string>& arguments);
 void run_synth(const std::vector<std::string>& arguments);
 void run_render(const std::vector<std::string>& arguments);
+void run_smooth(const std::vector<std::string>& arguments);
 void run_convert(const std::vector<std::string>& arguments);
 
 }  // namespace spigolo

@@ -10,6 +10,7 @@
 #include "spigolo/core/job.h"          // threads, progress, cancelling
 #include "spigolo/core/point_cloud.h"  // points with named scalars
 #include "spigolo/core/triangle_mesh.h"
-#include "spigolo/detect/detect.h"  // detect()
-#include "spigolo/index/summary.h"  // summarize(): counts, spacing, noise
-#include "spigolo/io/cloud_file.h"  // read_cloud(), write_cloud()
+#include "spigolo/detect/detect.h"    // detect()
+#include "spigolo/index/summary.h"    // summarize(): counts, spacing, noise
+#include "spigolo/io/cloud_file.h"    // read_cloud(), write_cloud()
+#include "spigolo/pipeline/smooth.h"  // smooth()

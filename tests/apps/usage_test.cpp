@@ -22,7 +22,7 @@ TEST(Usage, helpNamesEveryVerbThatExistsAndNoOther) {
   EXPECT_EQ(help.status, 0);
   EXPECT_EQ(help.err, "");
   for (const std::string& verb : verbs) EXPECT_TRUE(contains(help.out, "\n  " + verb + " "));
-  for (const char* verb : {"lines", "smooth", "mesh", "blend"})
+  for (const char* verb : {"lines", "mesh", "blend"})
     EXPECT_FALSE(contains(help.out, std::string("\n  ") + verb + " ")) << verb;
 }
 
@@ -55,7 +55,7 @@ TEST(Usage, wrongVerbsGetTheNearestOne) {
 }
 
 TEST(Usage, verbsToComeSaySo) {
-  for (const char* verb : {"lines", "smooth", "mesh", "blend"}) {
+  for (const char* verb : {"lines", "mesh", "blend"}) {
     const Outcome later = run_program({verb, "a.ply", "-o", "b.ply"});
     EXPECT_EQ(later.status, 2) << verb;
     EXPECT_TRUE(contains(later.err, "does not have '" + std::string(verb) + "' yet")) << later.err;

@@ -29,7 +29,8 @@ struct Prepared {
       : synth(std::move(s)),
         cloud(synth.cloud.points),
         options{settle({}, cloud.noise())},
-        features(map_features(cloud, true_kinds(synth), options.mls.k)) {}
+        features(map_features(cloud, ordered_kinds(cloud.ordered(), true_kinds(synth)),
+                              options.mls.k)) {}
 
   SurfacePoint sharp(const Vec3& query) const {
     FeatureLineScratch scratch;
@@ -132,7 +133,9 @@ TEST(SharpNeighborhood, AnyQueryGivesNumbers) {
 
 TEST(SharpNeighborhood, LabelsOfAnotherCloudAreRefused) {
   const MlsCloud cloud(test::random_square(100, 3));
-  EXPECT_THROW(map_features(cloud, std::vector<PointKind>(99), 20), UsageError);
+  const std::vector<PointKind> fewer(99);
+  EXPECT_THROW(map_features(cloud, fewer, 20), UsageError);
+  EXPECT_THROW(ordered_kinds(cloud.ordered(), fewer), UsageError);
 }
 
 }  // namespace

@@ -76,22 +76,30 @@ void refill(const FeatureLine& line, std::size_t count, std::vector<Vec3>& neigh
 
 }  // namespace
 
-FeatureMap map_features(const MlsCloud& cloud, std::span<const PointKind> kind_of_input,
-                        std::size_t k, const Job& job) {
-  const OrderedCloud& ordered = cloud.ordered();
-  if (kind_of_input.size() != ordered.rank.size())
-    throw UsageError("there are " + std::to_string(kind_of_input.size()) + " labels for " +
-                     std::to_string(ordered.rank.size()) + " points; they are of another cloud");
+FeatureMap map_features(const MlsCloud& cloud, std::span<const PointKind> kind, std::size_t k,
+                        const Job& job) {
+  if (kind.size() != cloud.points().size())
+    throw UsageError("there are labels for " + std::to_string(kind.size()) + " places, but " +
+                     std::to_string(cloud.points().size()) + " places: they are of another cloud");
   FeatureMap map;
-  map.is_feature.assign(ordered.size(), 0);
-  for (std::size_t i = 0; i < kind_of_input.size(); ++i) {
-    const PointKind kind = kind_of_input[i];
-    const bool sharp = kind != PointKind::surface && kind != PointKind::border;
-    if (sharp && ordered.rank[i] != no_point) map.is_feature[ordered.rank[i]] = 1;
-  }
+  map.is_feature.resize(kind.size());
+  for (std::size_t i = 0; i < kind.size(); ++i)
+    map.is_feature[i] = kind[i] != PointKind::surface && kind[i] != PointKind::border;
   map.connected =
       connect_features(cloud.tree(), map.is_feature, connect_options(cloud.noise(), k), job);
   return map;
+}
+
+std::vector<PointKind> ordered_kinds(const OrderedCloud& cloud,
+                                     std::span<const PointKind> kind_of_input) {
+  if (kind_of_input.size() != cloud.rank.size())
+    throw UsageError("there are labels for " + std::to_string(kind_of_input.size()) +
+                     " points, but " + std::to_string(cloud.rank.size()) +
+                     " points: the labels are of another cloud");
+  std::vector<PointKind> kind(cloud.size(), PointKind::surface);
+  for (std::size_t i = 0; i < kind_of_input.size(); ++i)
+    if (cloud.rank[i] != no_point) kind[cloud.rank[i]] = kind_of_input[i];
+  return kind;
 }
 
 std::optional<FeatureLine> local_feature_line(const MlsCloud& cloud, const FeatureMap& features,

@@ -29,10 +29,14 @@ struct FeatureLineOptions {
   bool connected = true;  // §4.3.6; false: every feature point of the neighborhood counts
 };
 
-/// features: one label per input point of the cloud; edges, corners and tips are feature points.
-/// Connects them (§4.3.6) in neighborhoods of k points. Throws UsageError if the sizes differ.
-FeatureMap map_features(const MlsCloud& cloud, std::span<const PointKind> kind_of_input,
-                        std::size_t k, const Job& job = {});
+/// kind: one label per place, in canonical order; edges, corners and tips are feature points. They
+/// are connected (§4.3.6) in neighborhoods of k points. Throws UsageError if the sizes differ.
+FeatureMap map_features(const MlsCloud& cloud, std::span<const PointKind> kind, std::size_t k,
+                        const Job& job = {});
+
+/// Labels of the input points, in canonical order.
+std::vector<PointKind> ordered_kinds(const OrderedCloud& cloud,
+                                     std::span<const PointKind> kind_of_input);
 
 /// Memory of one thread.
 struct FeatureLineScratch {

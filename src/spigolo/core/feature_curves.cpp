@@ -12,10 +12,21 @@
 namespace spigolo {
 namespace {
 
+bool sound(const CurveSpline& s) {
+  if (s.poles.empty()) return s.knots.empty();
+  const auto degree = static_cast<std::size_t>(s.degree);
+  return s.degree >= 1 && s.poles.size() > degree &&
+         s.knots.size() == s.poles.size() + degree + 1 &&
+         std::is_sorted(s.knots.begin(), s.knots.end()) &&
+         std::all_of(s.poles.begin(), s.poles.end(), is_finite);
+}
+
 bool sound(const FeatureCurve& curve, const std::vector<FeatureCorner>& corners,
            std::vector<std::int32_t>& ends) {
   if (curve.points.size() < (curve.closed ? 3U : 2U) || curve.angle.size() != curve.points.size())
     return false;
+  const bool round = curve.shape == CurveShape::circle || curve.shape == CurveShape::arc;
+  if (!sound(curve.spline) || (round && !(curve.radius > 0))) return false;
   if (!std::all_of(curve.points.begin(), curve.points.end(), is_finite)) return false;
   for (std::size_t end = 0; end < 2; ++end) {
     const std::int32_t c = curve.corner[end];

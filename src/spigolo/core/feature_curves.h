@@ -21,6 +21,19 @@ struct FeatureCorner {
 
 enum class CurveKind : std::uint8_t { edge = 0, border = 1 };
 
+/// What a curve was recognised as; `spline` is everything that is neither straight nor round.
+enum class CurveShape : std::uint8_t { spline = 0, line = 1, circle = 2, arc = 3 };
+
+inline constexpr std::array<const char*, 4> curve_shape_names = {"spline", "line", "circle", "arc"};
+
+/// A polynomial B-spline with clamped ends: poles.size() + degree + 1 knots that do not descend.
+/// Empty where there is none.
+struct CurveSpline {
+  int degree = 3;
+  std::vector<double> knots;
+  std::vector<Vec3> poles;
+};
+
 /// A polyline from corner to corner. Its first and last point are the corners' positions to the
 /// last bit, where it has corners.
 struct FeatureCurve {
@@ -33,6 +46,10 @@ struct FeatureCurve {
   double residual = 0;        // rms distance of the samples it was found from, in input units
   double confidence = 1;      // 0 to 1
   bool bridged = false;       // some stretch was filled in between two strong ones
+  CurveShape shape = CurveShape::spline;
+  Vec3 center, axis;   // of circle and arc; axis unit, the points run counterclockwise about it
+  double radius = 0;   // of circle and arc
+  CurveSpline spline;  // through the points, of curves that are neither line nor round
 
   double length() const;
 };

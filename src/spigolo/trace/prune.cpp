@@ -1,0 +1,126 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/trace/prune.cpp - spurs out, curves whole again where only a spur had cut them
+#include <algorithm>
+#include <utility>
+
+#include "spigolo/trace/junctions.h"
+#include "spigolo/trace/local_fit.h"
+
+namespace spigolo {
+namespace {
+
+constexpr double smooth_turn = 0.4;      // [rad] at a junction of two curves that are one
+constexpr std::size_t least_places = 4;  // of a curve with a free end
+constexpr double least_loop = 8;         // [spacings] round a closed curve
+
+bool free_end(const RawCurve& curve, std::size_t side) {
+  return !curve.chain.closed && curve.junction[side] == no_junction;
+}
+
+bool spur(const RawCurve& curve, double least) {
+  const double length = curve.chain.places.size() > 1 ? curve.chain.length() : 0;
+  if (curve.chain.closed) return length < least_loop;
+  const int open = free_end(curve, 0) + free_end(curve, 1);
+  if (open == 0) return false;
+  if (open == 1) return length < 0.8 * least || curve.chain.places.size() < least_places - 1;
+  return length < least || curve.chain.places.size() < least_places;
+}
+
+using EndsAt = std::vector<std::vector<std::pair<std::size_t, std::size_t>>>;  // curve, side
+
+EndsAt ends_at_junctions(const RawNetwork& network) {
+  EndsAt ends(network.junctions.size());
+  for (std::size_t c = 0; c < network.curves.size(); ++c)
+    for (std::size_t side = 0; side < 2; ++side) {
+      const int j = network.curves[c].junction[side];
+      if (j != no_junction) ends[static_cast<std::size_t>(j)].push_back({c, side});
+    }
+  return ends;
+}
+
+// Unit vector from a junction into a curve.
+Vec3 into(const RawCurve& curve, std::size_t side, const Vec3& junction) {
+  const auto& places = curve.chain.places;
+  const std::size_t deep = std::min<std::size_t>(places.size() - 1, 3);
+  return normalized((side == 0 ? places[deep] : places[places.size() - 1 - deep]) - junction);
+}
+
+// Curve b behind curve a, over the junction at the given sides.
+void merge(RawNetwork& network, std::pair<std::size_t, std::size_t> a,
+           std::pair<std::size_t, std::size_t> b) {
+  RawCurve &first = network.curves[a.first], &second = network.curves[b.first];
+  auto& places = first.chain.places;
+  if (a.first == b.first) {
+    first.chain.closed = places.size() > 2;
+    first.junction = {no_junction, no_junction};
+    return;
+  }
+  if (a.second == 0) {
+    std::reverse(places.begin(), places.end());
+    std::swap(first.junction[0], first.junction[1]);
+  }
+  auto more = second.chain.places;
+  if (b.second == 1) std::reverse(more.begin(), more.end());
+  places.insert(places.end(), more.begin(), more.end());
+  first.junction[1] = second.junction[1 - b.second];
+  first.chain.bridged = first.chain.bridged || second.chain.bridged;
+  second.chain.places.clear();
+}
+
+// Junctions of one end are none; those of two ends that go on smoothly are taken out. True if
+// anything changed.
+bool mend(RawNetwork& network) {
+  const EndsAt ends = ends_at_junctions(network);
+  bool changed = false;
+  for (std::size_t j = 0; j < ends.size(); ++j) {
+    if (ends[j].size() == 1) {
+      const auto [c, side] = ends[j].front();
+      network.curves[c].junction[side] = no_junction;
+      changed = true;
+    } else if (ends[j].size() == 2) {
+      const auto a = ends[j][0], b = ends[j][1];
+      const RawCurve &first = network.curves[a.first], &second = network.curves[b.first];
+      if (first.chain.places.size() < 2 || second.chain.places.size() < 2) continue;
+      const Vec3 in_a = into(first, a.second, network.junctions[j]);
+      const Vec3 in_b = into(second, b.second, network.junctions[j]);
+      if (angle_between(in_a, -in_b) > smooth_turn) continue;
+      merge(network, a, b);
+      std::erase_if(network.curves, [](const RawCurve& c) { return c.chain.places.empty(); });
+      return true;  // the numbers of curves have changed
+    }
+  }
+  return changed;
+}
+
+void renumber(RawNetwork& network) {
+  std::vector<int> number(network.junctions.size(), no_junction);
+  std::vector<Vec3> kept;
+  for (RawCurve& curve : network.curves)
+    for (int& j : curve.junction) {
+      if (j == no_junction) continue;
+      int& n = number[static_cast<std::size_t>(j)];
+      if (n == no_junction) {
+        n = static_cast<int>(kept.size());
+        kept.push_back(network.junctions[static_cast<std::size_t>(j)]);
+      }
+      j = n;
+    }
+  network.junctions = std::move(kept);
+}
+
+}  // namespace
+
+RawNetwork prune(RawNetwork network, double least) {
+  bool changed = true;
+  for (int round = 0; changed && round < 1000; ++round) {
+    const std::size_t before = network.curves.size();
+    std::erase_if(network.curves, [&](const RawCurve& c) { return spur(c, least); });
+    changed = mend(network) || network.curves.size() != before;
+  }
+  renumber(network);
+  return network;
+}
+
+}  // namespace spigolo

@@ -1,0 +1,178 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/trace/trace.cpp - samples, chains, network, final curves; one layer of edges, one of
+// borders
+#include "spigolo/trace/trace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "spigolo/core/error.h"
+#include "spigolo/core/parallel.h"
+#include "spigolo/trace/chain_end.h"
+#include "spigolo/trace/crease_samples.h"
+#include "spigolo/trace/junctions.h"
+#include "spigolo/trace/place_grid.h"
+#include "spigolo/trace/shape_curve.h"
+
+namespace spigolo {
+namespace {
+
+constexpr double member_reach = 1;      // [spacings] samples this close belong to a curve
+constexpr double border_scatter = 0.3;  // [spacings] border samples lie off the border that far
+constexpr int corner_rounds = 3;
+
+struct Layer {
+  CurveKind kind = CurveKind::edge;
+  std::span<const CreaseSample> samples;
+  double scatter = 0;
+  ShapeTolerances tolerances;
+};
+
+ShapeTolerances tolerances_for(const TraceOptions& options, double scatter) {
+  ShapeTolerances t;
+  t.shape = 0.03 + 0.8 * scatter;
+  t.spline = options.tolerance == automatic_tolerance ? 0.01 + 0.3 * scatter
+                                                      : options.tolerance / options.spacing;
+  t.window = 3 + 10 * scatter;
+  return t;
+}
+
+std::vector<CurveDraft> drafts_of(const RawNetwork& raw, const Layer& layer) {
+  std::vector<CurveDraft> drafts;
+  std::vector<Guide> guides;
+  for (const RawCurve& curve : raw.curves) guides.push_back(guide_of(curve, raw.junctions));
+  auto members = assign_members(guides, layer.samples, member_reach + 2 * layer.scatter);
+  for (std::size_t c = 0; c < guides.size(); ++c)
+    drafts.push_back({std::move(guides[c]),
+                      raw.curves[c].junction,
+                      raw.curves[c].chain.bridged,
+                      std::move(members[c]),
+                      {},
+                      {}});
+  return drafts;
+}
+
+// Each corner where the curves that end there say it is.
+void place_corners(std::span<const CurveDraft> drafts, const Layer& layer,
+                   std::vector<Vec3>& junctions) {
+  std::vector<std::vector<ChainEnd>> ends(junctions.size());
+  for (std::size_t c = 0; c < drafts.size(); ++c)
+    for (int side = 0; side < 2; ++side) {
+      const int j = drafts[c].junction[static_cast<std::size_t>(side)];
+      if (j == no_junction) continue;
+      ends[static_cast<std::size_t>(j)].push_back(
+          {c, side, end_model(drafts[c], side, layer.samples, layer.tolerances), j});
+    }
+  for (std::size_t j = 0; j < junctions.size(); ++j) {
+    std::vector<std::size_t> all(ends[j].size());
+    for (std::size_t e = 0; e < all.size(); ++e) all[e] = e;
+    Vec3 place = junctions[j];
+    for (int round = 0; round < corner_rounds; ++round) place = common_point(ends[j], all, place);
+    if (is_finite(place) && distance(place, junctions[j]) < 2 + 3 * layer.scatter)
+      junctions[j] = place;
+  }
+}
+
+void add_to(FeatureCurves& network, std::span<const Vec3> junctions,
+            std::vector<FeatureCurve> curves) {
+  const auto base = static_cast<std::int32_t>(network.corners.size());
+  for (const Vec3& place : junctions) network.corners.push_back({place, 0});
+  for (FeatureCurve& curve : curves) {
+    for (std::int32_t& corner : curve.corner) {
+      if (corner == no_corner) continue;
+      corner += base;
+      ++network.corners[static_cast<std::size_t>(corner)].valence;
+    }
+    network.curves.push_back(std::move(curve));
+  }
+}
+
+void trace_layer(const Layer& layer, std::span<const Vec3> hints, const Job& job,
+                 FeatureCurves& network) {
+  RawNetwork raw = join_chains(link_samples(layer.samples, layer.scatter), hints, layer.scatter);
+  std::vector<CurveDraft> drafts = drafts_of(raw, layer);
+  parallel_for(job, "trace", drafts.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      CurveDraft& draft = drafts[c];
+      draft.stations =
+          smooth_along(draft.guide, draft.members, layer.samples, layer.tolerances.window);
+      recognize(draft, layer.samples, layer.tolerances);
+    }
+  });
+  place_corners(drafts, layer, raw.junctions);
+  std::vector<FeatureCurve> curves(drafts.size());
+  parallel_for(job, "trace", drafts.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      curves[c] = finish(drafts[c], raw.junctions, layer.samples, layer.tolerances);
+      curves[c].kind = layer.kind;
+      if (layer.kind == CurveKind::border) {
+        std::fill(curves[c].angle.begin(), curves[c].angle.end(), 0.0);
+        curves[c].convex = 0;
+      }
+    }
+  });
+  add_to(network, raw.junctions, std::move(curves));
+}
+
+// The nearest curve within reach of each feature point's place on the crease.
+std::vector<std::int32_t> curves_of_points(const Features& features, const FeatureCurves& network,
+                                           const CreaseSamples& samples, double reach) {
+  std::vector<Vec3> places;
+  std::vector<std::int32_t> owner;
+  for (std::size_t c = 0; c < network.curves.size(); ++c)
+    for (const Vec3& p : network.curves[c].points) {
+      places.push_back(p);
+      owner.push_back(static_cast<std::int32_t>(c));
+    }
+  const PlaceGrid grid(places, reach);
+  std::vector<std::int32_t> curve_of(features.size(), -1);
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (!is_finite(features.crease_point[i])) continue;
+    const std::uint32_t near = grid.nearest(samples.inside(features.crease_point[i]), reach);
+    if (near != PlaceGrid::no_place) curve_of[i] = owner[near];
+  }
+  return curve_of;
+}
+
+void to_input_units(const CreaseSamples& samples, FeatureCurves& network) {
+  for (FeatureCorner& corner : network.corners) corner.position = samples.outside(corner.position);
+  for (FeatureCurve& curve : network.curves) {
+    for (Vec3& p : curve.points) p = samples.outside(p);
+    for (Vec3& p : curve.spline.poles) p = samples.outside(p);
+    for (double& k : curve.spline.knots) k *= samples.unit;
+    curve.center = samples.outside(curve.center);
+    curve.radius *= samples.unit;
+    curve.residual *= samples.unit;
+  }
+}
+
+void check(std::span<const Vec3> points, const Features& features, const TraceOptions& o) {
+  if (points.size() != features.size()) throw UsageError("points and features differ in number");
+  if (!(o.spacing > 0)) throw UsageError("the spacing must be above 0");
+  if (!(o.noise >= 0 && o.scatter >= 0)) throw UsageError("noise and scatter are 0 or more");
+  if (o.tolerance != automatic_tolerance && !(o.tolerance > 0))
+    throw UsageError("the tolerance must be above 0");
+}
+
+}  // namespace
+
+TracedFeatures trace_features(std::span<const Vec3> points, const Features& features,
+                              const TraceOptions& options, const Job& job) {
+  check(points, features, options);
+  TracedFeatures result;
+  const double scatter = std::max(options.noise, options.scatter);
+  const CreaseSamples samples = gather_samples(points, features, options.spacing, scatter, job);
+  const Layer edges{CurveKind::edge, samples.edges, scatter, tolerances_for(options, scatter)};
+  trace_layer(edges, samples.corners, job, result.network);
+  const double wide = std::max(scatter, border_scatter);
+  const Layer borders{CurveKind::border, samples.borders, wide, tolerances_for(options, wide)};
+  trace_layer(borders, {}, job, result.network);
+  result.curve_of_point = curves_of_points(features, result.network, samples, 2 + 2 * scatter);
+  to_input_units(samples, result.network);
+  result.tolerance = edges.tolerances.spline * options.spacing;
+  return result;
+}
+
+}  // namespace spigolo

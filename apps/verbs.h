@@ -12,6 +12,7 @@ namespace spigolo {
 /// They throw what the library throws; main() turns that into messages and exit status.
 void run_info(const std::vector<std::string>& arguments);
 void run_detect(const std::vector<std::string>& arguments);
+void run_lines(const std::vector<std::string>& arguments);
 void run_compare(const std::vector<std::string>& arguments);
 void run_synth(const std::vector<std::string>& arguments);
 void run_render(const std::vector<std::string>& arguments);

@@ -12,6 +12,7 @@
 #include "run.h"
 #include "spigolo/core/error.h"
 #include "spigolo/io/curve_writers.h"
+#include "spigolo/pipeline/curve_step.h"
 #include "verbs.h"
 
 namespace spigolo {
@@ -37,7 +38,8 @@ struct LinesCommand {
 void declare(CommandLine& line, LinesCommand& c) {
   line.app().add_option("CLOUD", c.input, "the points; - is standard input")->required();
   line.app()
-      .add_option("-o,--output", c.outputs, "DXF, OBJ, PLY, VTP, JSON or CSV; repeat it for more")
+      .add_option("-o,--output", c.outputs,
+                  "DXF, STEP, OBJ, PLY, VTP, JSON or CSV; repeat it for more")
       ->required()
       ->take_all()
       ->expected(1)
@@ -59,9 +61,15 @@ void declare(CommandLine& line, LinesCommand& c) {
   line.switch_parameter("--require", c.require, "no feature at all is an error: exit status 4");
 }
 
+bool is_step(const std::string& output) {
+  const std::string ending = lower_extension(output);
+  return ending == ".step" || ending == ".stp";
+}
+
 void check_door(LinesCommand& c) {
   for (const std::string& output : c.outputs) {
-    if (output != "-") curve_format(output);
+    if (output != "-" && !is_step(output)) curve_format(output);
+    if (is_step(output)) check_step_unit(length_unit(c.unit));
     check_output(output, c.common);
   }
   length_unit(c.unit);
@@ -77,6 +85,10 @@ void write_all(const LinesCommand& c, const Lines& lines, const Job& job) {
   std::vector<std::unique_ptr<AtomicFile>> files;
   for (const std::string& output : c.outputs) {
     files.push_back(std::make_unique<AtomicFile>(output));
+    if (is_step(output)) {
+      files.back()->write(step_text(lines.network, options.unit));
+      continue;
+    }
     const CurveFormat format = output == "-" ? CurveFormat::ply : curve_format(output);
     write_curves(*files.back(), format, lines.network, options);
   }

@@ -97,6 +97,10 @@ class CircleFitter {
       right += row * square;
     }
     const Eigen::Vector3d s = m.ldlt().solve(right);
+    const Vec3 along = largest_axis(weighted_spread(places_, weight_, mean)).axis;
+    double width = 0;
+    for (const Vec3& p : places_) width = std::max(width, squared_norm(cross(p - mean, along)));
+    if (width * straight * straight < extent) return false;
     const double square = s.z() + s.x() * s.x() + s.y() * s.y();
     if (!s.allFinite() || !(square > 0) || square > straight * straight * extent) return false;
     fit_.radius = std::sqrt(square);

@@ -19,6 +19,8 @@ constexpr double spline_step = 0.5;      // [spacings] between the points of a s
 constexpr double least_sweep = 0.25;     // [rad] of an arc; less tells no radius
 constexpr double end_length = 6;         // [spacings] of a curve that tells how it ends
 constexpr std::size_t least_members = 4;
+constexpr double most_share = 0.8;  // of a curve that follows the form it is taken for
+constexpr double stray = 0.5;       // [spacings] the rest may be off
 
 std::vector<Vec3> member_places(const CurveDraft& draft, std::span<const CreaseSample> samples) {
   std::vector<Vec3> places;
@@ -26,11 +28,15 @@ std::vector<Vec3> member_places(const CurveDraft& draft, std::span<const CreaseS
   return places;
 }
 
+// Whether nearly all stations are within tolerance of a form, and none is far from it: a few may
+// follow samples that saw the wrong sheets.
 template <class Distance>
-double worst(const CurveDraft& draft, const Distance& distance) {
-  double most = 0;
-  for (const Station& s : draft.stations) most = std::max(most, distance(s.place));
-  return most;
+bool follows(const CurveDraft& draft, double tolerance, const Distance& distance) {
+  std::vector<double> off;
+  for (const Station& s : draft.stations) off.push_back(distance(s.place));
+  std::sort(off.begin(), off.end());
+  const auto most = static_cast<std::size_t>(most_share * static_cast<double>(off.size() - 1));
+  return off[most] <= tolerance && off.back() <= stray + 2 * tolerance;
 }
 
 double off_line(const LineFit& line, const Vec3& p) {
@@ -206,14 +212,14 @@ void recognize(CurveDraft& draft, std::span<const CreaseSample> samples,
   const std::vector<Vec3> places = member_places(draft, samples);
   if (places.size() < least_members) return;
   const LineFit line = fit_line(places, exact);
-  const double off = worst(draft, [&](const Vec3& p) { return off_line(line, p); });
-  if (!draft.guide.closed && off <= tolerances.shape) {
+  const auto from_line = [&](const Vec3& p) { return off_line(line, p); };
+  if (!draft.guide.closed && follows(draft, tolerances.shape, from_line)) {
     draft.form = line;
     return;
   }
   const auto circle = fit_circle(places, exact);
   if (!circle || draft.guide.length() < least_sweep * circle->radius) return;
-  if (worst(draft, [&](const Vec3& p) { return circle->distance(p); }) <= tolerances.shape)
+  if (follows(draft, tolerances.shape, [&](const Vec3& p) { return circle->distance(p); }))
     draft.form = *circle;
 }
 

@@ -15,7 +15,8 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-const std::vector<std::string> verbs = {"info", "detect", "lines", "compare", "synth", "render", "convert"};
+const std::vector<std::string> verbs = {"info",    "detect", "lines",  "smooth",
+                                        "compare", "synth",  "render", "convert"};
 
 TEST(Usage, helpNamesEveryVerbThatExistsAndNoOther) {
   const Outcome help = run_program({"--help"});

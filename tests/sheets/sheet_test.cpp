@@ -40,7 +40,7 @@ TEST(Sheet, PlanesAreFittedExactly) {
   for (int trial = 0; trial < 50; ++trial) {
     const Placed frame = random_frame(random);
     const auto points = patch(frame, 0, 12, random);
-    for (const SheetModel model : {SheetModel::plane, SheetModel::quadric}) {
+    for (const SheetOrder order : {SheetOrder::plane, SheetOrder::quadric}) {
       const Sheet sheet = fit_sheet(points, {}, 1, model);
       EXPECT_EQ(sheet.support, 12);
       EXPECT_LT(sheet.deviation, 1e-9);
@@ -54,8 +54,8 @@ TEST(Sheet, QuadricsAreFittedWhereTheirHeightIsTheModel) {
   Random random(72);
   const Placed frame = random_frame(random);
   const auto points = patch(frame, 0.05, 24, random);
-  const Sheet plane = fit_sheet(points, {}, 1, SheetModel::plane);
-  const Sheet quadric = fit_sheet(points, {}, 1, SheetModel::quadric);
+  const Sheet plane = fit_sheet(points, {}, 1, SheetOrder::plane);
+  const Sheet quadric = fit_sheet(points, {}, 1, SheetOrder::quadric);
   EXPECT_GT(plane.deviation, 0.03);
   EXPECT_LT(quadric.deviation, 0.002);  // not zero: the frame leans a little, which is third order
 }
@@ -66,14 +66,14 @@ TEST(Sheet, MaskLeavesPointsOut) {
   std::vector<char> use(13, 1);
   points.push_back({50, 60, 70});
   use[12] = 0;
-  EXPECT_LT(fit_sheet(points, use, 1, SheetModel::quadric).deviation, 1e-9);
+  EXPECT_LT(fit_sheet(points, use, 1, SheetOrder::quadric).deviation, 1e-9);
 }
 
 TEST(Sheet, TooFewPointsAreNoSheet) {
   const std::vector<Vec3> two = {{0, 0, 0}, {1, 0, 0}};
-  EXPECT_FALSE(fit_sheet(two, {}, 1, SheetModel::plane).fitted());
+  EXPECT_FALSE(fit_sheet(two, {}, 1, SheetOrder::plane).fitted());
   const std::vector<Vec3> three = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  EXPECT_TRUE(fit_sheet(three, {}, 1, SheetModel::quadric).fitted());
+  EXPECT_TRUE(fit_sheet(three, {}, 1, SheetOrder::quadric).fitted());
 }
 
 // A sphere and a plane through it: their crossing is a circle of known radius and height.
@@ -85,8 +85,8 @@ TEST(Crease, OfASphereAndAPlaneIsTheirCircle) {
     cap.push_back(normalized(Vec3{6, 0, 8} + d * 1.5) * 10.0);
     plane.push_back(Vec3{6 + 2 * d.x, 2 * d.y, 8});
   }
-  const Sheet a = fit_sheet(cap, {}, 1, SheetModel::quadric);
-  const Sheet b = fit_sheet(plane, {}, 1, SheetModel::quadric);
+  const Sheet a = fit_sheet(cap, {}, 1, SheetOrder::quadric);
+  const Sheet b = fit_sheet(plane, {}, 1, SheetOrder::quadric);
   for (const Vec3& query : {Vec3{6.2, 0.3, 8.1}, Vec3{5.5, 0.8, 8.2}, Vec3{6.1, -0.6, 7.6}}) {
     const auto crease = find_crease(a, b, query);
     ASSERT_TRUE(crease);
@@ -101,8 +101,8 @@ TEST(Crease, ParallelSheetsHaveNone) {
   const std::vector<Vec3> low = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   std::vector<Vec3> high = low;
   for (Vec3& p : high) p.z += 1 + 0.05 * p.x;
-  const Sheet a = fit_sheet(low, {}, 1, SheetModel::plane),
-              b = fit_sheet(high, {}, 1, SheetModel::plane);
+  const Sheet a = fit_sheet(low, {}, 1, SheetOrder::plane),
+              b = fit_sheet(high, {}, 1, SheetOrder::plane);
   EXPECT_FALSE(find_crease(a, b, {0, 0, 0.5}));
 }
 
@@ -117,7 +117,7 @@ TEST(Crease, CornerOfThreePlanesIsTheirPoint) {
       p[s] = 0;
       points.push_back(f(p));
     }
-    sheets[s] = fit_sheet(points, {}, 1, SheetModel::plane);
+    sheets[s] = fit_sheet(points, {}, 1, SheetOrder::plane);
   }
   const auto corner = find_corner({&sheets[0], &sheets[1], &sheets[2]}, f({0.3, 0.2, 0.1}));
   ASSERT_TRUE(corner);

@@ -9,7 +9,7 @@
 
 #include "spigolo/core/error.h"
 #include "spigolo/detect/methods.h"
-#include "spigolo/detect/prepare.h"
+#include "spigolo/index/prepared_cloud.h"
 
 namespace spigolo {
 namespace {

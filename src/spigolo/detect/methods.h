@@ -5,7 +5,7 @@
 #pragma once
 
 #include "spigolo/detect/detect.h"
-#include "spigolo/detect/prepare.h"
+#include "spigolo/index/prepared_cloud.h"
 
 namespace spigolo {
 

@@ -3,9 +3,10 @@
 //
 // spigolo/detect/sheets_method.cpp - the sheet model
 #include <algorithm>
+#include <utility>
 
 #include "spigolo/detect/methods.h"
-#include "spigolo/sheets/verdict.h"
+#include "spigolo/sheets/sheet_model.h"
 
 namespace spigolo {
 namespace {
@@ -32,16 +33,13 @@ Features as_features(const std::vector<SheetVerdict>& verdicts) {
 
 Features features_by_sheets(PreparedCloud& prepared, const DetectOptions& options, const Job& job,
                             Detection& result) {
-  const SheetTolerances tolerances = sheet_tolerances(prepared.noise);
-  widen_neighborhoods(prepared, tolerances.k, job);
-  result.k = neighbors_at_hand(prepared, tolerances.k, result.warnings);
-  const std::vector<SheetVerdict> verdicts =
-      judge_points(prepared.cloud.points, prepared.neighborhoods, prepared.spacing, tolerances,
-                   SheetOptions{options.sensitivity}, job);
+  SheetModel model = build_sheet_model(std::move(prepared), {options.sensitivity}, job);
+  prepared = std::move(model.prepared);
+  result.k = neighbors_at_hand(prepared, model.tolerances.k, result.warnings);
   result.candidates = static_cast<std::size_t>(
-      std::count_if(verdicts.begin(), verdicts.end(),
+      std::count_if(model.verdicts.begin(), model.verdicts.end(),
                     [](const SheetVerdict& v) { return v.kind != PointKind::surface; }));
-  return as_features(verdicts);
+  return as_features(model.verdicts);
 }
 
 }  // namespace spigolo

@@ -24,6 +24,8 @@ constexpr int tighten_rounds = 6;
 constexpr double outlying = 3, normal_per_median = 1.4826;  // standard deviations, for a median
 constexpr double rounding = 1e-7;                           // [spacings] of exact data
 constexpr std::size_t most_points = 128;
+constexpr double exact_noise = 0.03;  // [spacings] with less, sheets are as exact as the points
+constexpr double shifted_fit = 1.2, shifted_height = 0.3;  // of squared residuals and heights
 constexpr double wide = 2.5;  // standard deviations that hold nearly all points
 
 // Plane through points[0] (its unit normal) that the neighbors agree with best: each counts the
@@ -73,7 +75,7 @@ Sheet tighten(std::span<const Vec3> points, Sheet sheet, double spacing, std::ve
       changed = true;
     }
     if (!changed) break;
-    const Sheet tighter = fit_sheet(points, on, spacing, SheetModel::quadric);
+    const Sheet tighter = fit_sheet(points, on, spacing, SheetOrder::quadric);
     if (tighter.support < 6) break;
     sheet = tighter;
   }
@@ -85,8 +87,8 @@ Sheet grow(std::span<const Vec3> points, double spacing, const SheetTolerances& 
            std::vector<char>& on) {
   Sheet sheet;
   for (int round = 0; round < growth_rounds; ++round) {
-    const SheetModel model = round == 0 ? SheetModel::plane : SheetModel::quadric;
-    sheet = fit_sheet(points, on, spacing, model);
+    const SheetOrder order = round == 0 ? SheetOrder::plane : SheetOrder::quadric;
+    sheet = fit_sheet(points, on, spacing, order);
     if (!sheet.fitted()) return sheet;
     const bool curved = round > 0 && sheet.support >= quadric_points;
     const double limit = curved ? tolerances.on_sheet() : tolerances.plane();
@@ -98,6 +100,23 @@ Sheet grow(std::span<const Vec3> points, double spacing, const SheetTolerances& 
     if (round >= 2 && !changed) break;
   }
   return sheet;
+}
+
+// With noise: beside a crease the neighborhood of some neighbor, farther from it, lies on the
+// point's sheet alone. Of those whose fit passes the point, the best one; none if all are poor.
+const Sheet* take_from_neighbors(const Vec3& p, std::span<const std::uint32_t> row,
+                                 std::span<const Sheet> whole, const SheetTolerances& tolerances) {
+  const double noise2 = tolerances.noise * tolerances.noise;
+  double least = shifted_fit * noise2;
+  const Sheet* best = nullptr;
+  for (const std::uint32_t j : row) {
+    const double deviation2 = whole[j].deviation * whole[j].deviation;
+    if (!(deviation2 < least)) continue;
+    const double h = height(whole[j], p);
+    const double score = deviation2 + shifted_height * h * h;
+    if (score < least) least = score, best = &whole[j];
+  }
+  return best;
 }
 
 }  // namespace
@@ -117,8 +136,9 @@ SheetTolerances sheet_tolerances(double noise) {
 
 Sheet find_own_sheet(std::span<const Vec3> points, double spacing,
                      const SheetTolerances& tolerances, std::vector<char>& scratch) {
-  const Sheet whole = fit_sheet(points, {}, spacing, SheetModel::quadric);
-  if (whole.deviation < tolerances.smooth()) return whole;
+  Sheet whole = fit_sheet(points, {}, spacing, SheetOrder::quadric);
+  whole.whole = whole.deviation < tolerances.smooth();
+  if (whole.whole) return whole;
   const double tolerance = tolerances.plane() * spacing;
   const Vec3 normal = consensus_plane(points, tolerance);
   if (normal == Vec3{}) return {};
@@ -133,16 +153,37 @@ std::vector<Sheet> find_own_sheets(std::span<const Vec3> points, const Neighborh
                                    const Spacing& spacing, const SheetTolerances& tolerances,
                                    const Job& job) {
   std::vector<Sheet> sheets(points.size());
-  parallel_for(job, "sheets", points.size(), grain, [&](std::size_t begin, std::size_t end) {
-    std::vector<Vec3> around;
-    std::vector<char> scratch;
-    for (std::size_t i = begin; i < end; ++i) {
-      around.assign(1, points[i]);
-      const auto row = neighborhoods.of(i);
-      for (const std::uint32_t j : row.first(std::min(tolerances.k, row.size())))
-        around.push_back(points[j]);
+  const auto for_each_place = [&](const char* stage, auto&& found) {
+    parallel_for(job, stage, points.size(), grain, [&](std::size_t begin, std::size_t end) {
+      std::vector<Vec3> around;
+      std::vector<char> scratch;
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto row = neighborhoods.of(i).first(std::min(tolerances.k, neighborhoods.k));
+        around.assign(1, points[i]);
+        for (const std::uint32_t j : row) around.push_back(points[j]);
+        found(i, row, around, scratch);
+      }
+    });
+  };
+  if (tolerances.noise < exact_noise) {
+    for_each_place("sheets", [&](std::size_t i, auto, const auto& around, auto& scratch) {
       sheets[i] = find_own_sheet(around, spacing.of_point[i], tolerances, scratch);
+    });
+    return sheets;
+  }
+  std::vector<Sheet> whole(points.size());
+  for_each_place("sheets", [&](std::size_t i, auto, const auto& around, auto&) {
+    whole[i] = fit_sheet(around, {}, spacing.of_point[i], SheetOrder::quadric);
+    whole[i].whole = whole[i].deviation < tolerances.smooth();
+  });
+  for_each_place("sheets", [&](std::size_t i, auto row, const auto& around, auto& scratch) {
+    if (whole[i].whole) {
+      sheets[i] = whole[i];
+      return;
     }
+    const Sheet* best = take_from_neighbors(points[i], row, whole, tolerances);
+    sheets[i] = best ? *best : find_own_sheet(around, spacing.of_point[i], tolerances, scratch);
+    sheets[i].whole = false;
   });
   return sheets;
 }

@@ -38,9 +38,12 @@ double offset(const Sheet& s, const Local& q) {
          (s.a[0] + q.u * (s.a[1] + s.a[3] * q.u + s.a[4] * q.v) + q.v * (s.a[2] + s.a[5] * q.v));
 }
 
-// Cholesky factorization and two substitutions; false where the matrix is not positive.
-bool solve(std::array<std::array<double, 6>, 6>& m, std::array<double, 6>& x) {
-  for (std::size_t i = 0; i < 6; ++i) {
+using Matrix6 = std::array<std::array<double, 6>, 6>;
+
+// Cholesky factorization and two substitutions of the first n rows; false where the matrix is not
+// positive.
+bool solve(Matrix6& m, std::array<double, 6>& x, std::size_t n = 6) {
+  for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       double sum = m[i][j];
       for (std::size_t k = 0; k < j; ++k) sum -= m[i][k] * m[j][k];
@@ -48,12 +51,12 @@ bool solve(std::array<std::array<double, 6>, 6>& m, std::array<double, 6>& x) {
       m[i][j] = i == j ? std::sqrt(sum) : sum / m[j][j];
     }
   }
-  for (std::size_t i = 0; i < 6; ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k < i; ++k) x[i] -= m[i][k] * x[k];
     x[i] /= m[i][i];
   }
-  for (std::size_t i = 6; i-- > 0;) {
-    for (std::size_t k = i + 1; k < 6; ++k) x[i] -= m[k][i] * x[k];
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t k = i + 1; k < n; ++k) x[i] -= m[k][i] * x[k];
     x[i] /= m[i][i];
   }
   return true;
@@ -81,7 +84,7 @@ void fit_plane(std::span<const Vec3> points, std::span<const char> use, Sheet& s
 }
 
 bool fit_quadric(std::span<const Vec3> points, std::span<const char> use, Sheet& s) {
-  std::array<std::array<double, 6>, 6> m{};
+  Matrix6 m{};
   std::array<double, 6> x{};
   for_each_used(points, use, [&](const Vec3& p) {
     const auto [u, v, w] = local(s, p);
@@ -99,6 +102,48 @@ bool fit_quadric(std::span<const Vec3> points, std::span<const char> use, Sheet&
   return true;
 }
 
+// The moments of a weighted height field up to the fourth order, as the normal equations need them.
+struct Moments {
+  std::array<double, 15> uv{};  // 1, u, v, uu, uv, vv, uuu, uuv, uvv, vvv, uuuu .. vvvv
+  std::array<double, 6> w{};    // height by 1, u, v, uu, uv, vv
+
+  void add(double weight, const Local& q) {
+    const double u = q.u, v = q.v, uu = u * u, vv = v * v, cu = weight * u, cv = weight * v;
+    const double cuu = cu * u, cuv = cu * v, cvv = cv * v;
+    const std::array<double, 15> term = {weight,   cu,          cv,       cuu,         cuv,
+                                         cvv,      cuu * u,     cuu * v,  cvv * u,     cvv * v,
+                                         cuu * uu, cuu * u * v, cuu * vv, cvv * v * u, cvv * vv};
+    for (std::size_t i = 0; i < 15; ++i) uv[i] += term[i];
+    for (std::size_t i = 0; i < 6; ++i) w[i] += term[i] * q.w;
+  }
+
+  Matrix6 matrix() const {
+    constexpr std::array<std::array<std::size_t, 6>, 6> place = {{{0, 1, 2, 3, 4, 5},
+                                                                  {1, 3, 4, 6, 7, 8},
+                                                                  {2, 4, 5, 7, 8, 9},
+                                                                  {3, 6, 7, 10, 11, 12},
+                                                                  {4, 7, 8, 11, 12, 13},
+                                                                  {5, 8, 9, 12, 13, 14}}};
+    Matrix6 m;
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t j = 0; j < 6; ++j) m[i][j] = uv[place[i][j]];
+    return m;
+  }
+};
+
+double weighted_deviation(const Sheet& s, std::span<const Vec3> points,
+                          std::span<const double> weights, double total) {
+  double squares = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!(weights[i] > 0)) continue;
+    const double h = height(s, points[i]);
+    squares += weights[i] * h * h;
+  }
+  return std::sqrt(squares / total);
+}
+
+constexpr double flat_ridge = 1e-12;  // share of the weight: points on a line leave the tilt open
+
 }  // namespace
 
 double height(const Sheet& sheet, const Vec3& p) {
@@ -113,13 +158,13 @@ Vec3 normal_at(const Sheet& sheet, const Vec3& p) {
 }
 
 Sheet fit_sheet(std::span<const Vec3> points, std::span<const char> use, double spacing,
-                SheetModel model) {
+                SheetOrder order) {
   Sheet sheet;
   sheet.origin = points[0];
   sheet.spacing = spacing;
   fit_plane(points, use, sheet);
   if (sheet.support < plane_points) return {};
-  const bool curved = model == SheetModel::quadric && sheet.support >= quadric_points &&
+  const bool curved = order == SheetOrder::quadric && sheet.support >= quadric_points &&
                       fit_quadric(points, use, sheet);
   double squares = 0;
   for_each_used(points, use, [&](const Vec3& p) {
@@ -129,6 +174,47 @@ Sheet fit_sheet(std::span<const Vec3> points, std::span<const char> use, double 
   const int freedom = sheet.support - (curved ? quadric_freedom : plane_freedom);
   sheet.deviation = freedom > 0 ? std::sqrt(squares / freedom) : infinity;
   return sheet;
+}
+
+Sheet fit_weighted_sheet(std::span<const Vec3> points, std::span<const double> weights,
+                         const Vec3& origin, const Vec3& normal, double spacing, double ridge,
+                         double plane_gain) {
+  Sheet s;
+  s.origin = origin;
+  s.n = normal;
+  s.u = any_perpendicular(normal);
+  s.v = cross(s.n, s.u);
+  s.spacing = spacing;
+  Moments moments;
+  int support = 0;
+  double squares = 0;  // of the weights
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!(weights[i] > 0)) continue;
+    moments.add(weights[i], local(s, points[i]));
+    squares += weights[i] * weights[i];
+    ++support;
+  }
+  if (support < plane_points) return {};
+  Matrix6 m = moments.matrix();
+  s.a = moments.w;
+  for (std::size_t i = 3; i < 6; ++i) m[i][i] += ridge * moments.uv[0];
+  const bool curved = support >= quadric_points && solve(m, s.a);
+  if (curved) s.deviation = weighted_deviation(s, points, weights, moments.uv[0]);
+  if (!curved || plane_gain > 0) {
+    Sheet plane = s;
+    m = moments.matrix();
+    plane.a = moments.w;
+    for (std::size_t i = 1; i < 3; ++i) m[i][i] += flat_ridge * moments.uv[0];
+    if (!solve(m, plane.a, 3)) return {};
+    plane.a[3] = plane.a[4] = plane.a[5] = 0;
+    plane.deviation = weighted_deviation(plane, points, weights, moments.uv[0]);
+    const double effective = moments.uv[0] * moments.uv[0] / squares;
+    if (!curved || plane.deviation * plane.deviation <=
+                       s.deviation * s.deviation * (1 + plane_gain / effective))
+      s = plane;
+  }
+  s.support = support;
+  return s;
 }
 
 }  // namespace spigolo

@@ -20,6 +20,7 @@ struct Sheet {
   std::array<double, 6> a{};
   double deviation = infinity;  // [spacings] rms residual, corrected for the coefficients fitted
   int support = 0;              // points it was fitted to; 0: there is no sheet
+  bool whole = false;           // of an own sheet: all the neighbors lie on it
 
   bool fitted() const { return support > 0; }
 };
@@ -32,11 +33,19 @@ Vec3 normal_at(const Sheet& sheet, const Vec3& p);
 
 inline constexpr int quadric_points = 9;  // with fewer, six coefficients say nothing
 
-enum class SheetModel { plane, quadric };
+enum class SheetOrder { plane, quadric };
 
 /// Least squares through the points with `use` set (all points if `use` is empty), in a frame at
 /// points[0]. A quadric needs quadric_points, a plane three: with fewer, a plane, then no sheet.
 Sheet fit_sheet(std::span<const Vec3> points, std::span<const char> use, double spacing,
-                SheetModel model);
+                SheetOrder order);
+
+/// Least squares with a weight a point (none negative), over the plane through `origin` with the
+/// unit normal `normal`. `ridge` draws curvature to zero, as a share of the total weight. Fewer
+/// than quadric_points of weight: a plane; fewer than three or all on a line: no sheet. deviation
+/// is the weighted rms residual [spacings].
+Sheet fit_weighted_sheet(std::span<const Vec3> points, std::span<const double> weights,
+                         const Vec3& origin, const Vec3& normal, double spacing, double ridge,
+                         double plane_gain = 0);
 
 }  // namespace spigolo

@@ -152,10 +152,9 @@ SheetVerdict judge_point(std::span<const Vec3> points, std::span<const Sheet> sh
 
 std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
                                        const Neighborhoods& neighborhoods, const Spacing& spacing,
+                                       std::span<const Sheet> sheets,
                                        const SheetTolerances& tolerances,
                                        const SheetOptions& options, const Job& job) {
-  const std::vector<Sheet> sheets =
-      find_own_sheets(points, neighborhoods, spacing, tolerances, job);
   std::vector<SheetVerdict> verdicts(points.size());
   const std::size_t k = std::min(cover_size(tolerances.noise), neighborhoods.k);
   parallel_for(job, "detect", points.size(), grain, [&](std::size_t begin, std::size_t end) {

@@ -34,11 +34,13 @@ SheetVerdict judge_point(std::span<const Vec3> points, std::span<const Sheet> sh
                          std::span<const std::uint32_t> members, const SheetTolerances& tolerances,
                          const SheetOptions& options);
 
-/// All points. neighborhoods need max(20, sheet_tolerances(noise).k) neighbors a row. With noise
-/// the neighbors' creases must agree. Edges without another edge or corner in their neighborhood
-/// are dropped, and of two points beside each other on an edge the one clearly farther from it.
+/// All points, from their own sheets. neighborhoods need max(20, sheet_tolerances(noise).k)
+/// neighbors a row. With noise the neighbors' creases must agree. Edges without another edge or
+/// corner in their neighborhood are dropped, and of two points beside each other on an edge the one
+/// clearly farther from it.
 std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
                                        const Neighborhoods& neighborhoods, const Spacing& spacing,
+                                       std::span<const Sheet> sheets,
                                        const SheetTolerances& tolerances,
                                        const SheetOptions& options, const Job& job = {});
 

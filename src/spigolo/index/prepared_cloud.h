@@ -1,7 +1,7 @@
 // Copyright 2026 The spigolo authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// spigolo/detect/prepare.h - what every method starts from: order, neighbors, spacing, noise
+// spigolo/index/prepared_cloud.h - what every method starts from: order, neighbors, spacing, noise
 #pragma once
 
 #include <span>

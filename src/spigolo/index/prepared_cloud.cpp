@@ -1,8 +1,8 @@
 // Copyright 2026 The spigolo authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// spigolo/detect/prepare.cpp
-#include "spigolo/detect/prepare.h"
+// spigolo/index/prepared_cloud.cpp
+#include "spigolo/index/prepared_cloud.h"
 
 #include <algorithm>
 #include <string>

@@ -1,0 +1,50 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/sheets/sheet_model.cpp
+#include "spigolo/sheets/sheet_model.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "spigolo/core/parallel.h"
+
+namespace spigolo {
+namespace {
+
+constexpr std::size_t grain = 1024;
+constexpr int plain_rounds = 2;  // neighborhoods of neighborhoods: as far as any later fit looks
+
+}  // namespace
+
+// Points whose neighbors, and theirs, know of one sheet only.
+void note_plain_places(SheetModel& model, const Job& job) {
+  std::vector<char> plain(model.size()), next(model.size());
+  for (std::size_t i = 0; i < plain.size(); ++i)
+    plain[i] = model.verdicts[i].kind == PointKind::surface && model.own[i].whole;
+  for (int round = 0; round < plain_rounds; ++round) {
+    parallel_for(job, "", plain.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto row = model.prepared.neighborhoods.of(i);
+        next[i] = plain[i] && std::all_of(row.begin(), row.end(),
+                                          [&](std::uint32_t j) { return plain[j] != 0; });
+      }
+    });
+    plain.swap(next);
+  }
+  model.plain = std::move(plain);
+}
+
+SheetModel build_sheet_model(PreparedCloud prepared, const SheetOptions& options, const Job& job) {
+  SheetModel model;
+  model.prepared = std::move(prepared);
+  model.tolerances = sheet_tolerances(model.prepared.noise);
+  widen_neighborhoods(model.prepared, model.tolerances.k, job);
+  const PreparedCloud& p = model.prepared;
+  model.own = find_own_sheets(p.cloud.points, p.neighborhoods, p.spacing, model.tolerances, job);
+  model.verdicts = judge_points(p.cloud.points, p.neighborhoods, p.spacing, model.own,
+                                model.tolerances, options, job);
+  return model;
+}
+
+}  // namespace spigolo

@@ -31,7 +31,7 @@ const VerbHelp help = {
 struct SmoothCommand {
   CommonOptions common;
   std::string input, output, features;
-  std::string method = "feature-line";
+  std::string method = "sheets";
   SmoothOptions options;
 };
 
@@ -47,8 +47,8 @@ void declare(CommandLine& line, SmoothCommand& c) {
       .add_option("-o,--output", c.output, "PLY file; - is standard output")
       ->required()
       ->type_name("OUT.ply");
-  line.parameter("--method", c.method, "feature-line (thesis, sharp edges) or plain (rounds them)")
-      ->check(CLI::IsMember({"feature-line", "plain"}))
+  line.parameter("--method", c.method, "sheets, feature-line (thesis) or plain (rounds edges)")
+      ->check(CLI::IsMember({"sheets", "feature-line", "plain"}))
       ->type_name("NAME");
   by_noise(line.parameter("--k", c.options.mls.k, "neighbors of a point, at least 9"))
       ->type_name("N");
@@ -65,7 +65,9 @@ void check_door(SmoothCommand& c) {
     throw UsageError("smooth writes PLY: name the output " + c.output +
                      ".ply, and 'spigolo convert' it to another format");
   check_output(c.output, c.common);
-  c.options.method = c.method == "plain" ? SmoothMethod::plain : SmoothMethod::feature_line;
+  c.options.method = c.method == "sheets"  ? SmoothMethod::sheets
+                     : c.method == "plain" ? SmoothMethod::plain
+                                           : SmoothMethod::feature_line;
 }
 
 std::optional<Features> read_labels(const SmoothCommand& c, const PointCloud& cloud, Run& run) {

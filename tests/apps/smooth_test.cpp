@@ -50,7 +50,7 @@ TEST_F(Smooth, jsonTellsWhatWasDone) {
   std::size_t all = 0;
   for (const auto& [name, count] : json["counts"].items()) all += count.get<std::size_t>();
   EXPECT_EQ(all, 10088u);
-  EXPECT_EQ(json["parameters"]["k"], 20);
+  EXPECT_EQ(json["parameters"]["k"], 32);
   for (const char* stage : {"read", "index", "detect", "project", "write", "total"})
     EXPECT_TRUE(json["seconds"].contains(stage)) << stage;
 }

@@ -41,7 +41,7 @@ TEST(Sheet, PlanesAreFittedExactly) {
     const Placed frame = random_frame(random);
     const auto points = patch(frame, 0, 12, random);
     for (const SheetOrder order : {SheetOrder::plane, SheetOrder::quadric}) {
-      const Sheet sheet = fit_sheet(points, {}, 1, model);
+      const Sheet sheet = fit_sheet(points, {}, 1, order);
       EXPECT_EQ(sheet.support, 12);
       EXPECT_LT(sheet.deviation, 1e-9);
       EXPECT_LT(axial_angle(normal_at(sheet, points[3]), frame.z), 1e-8);

@@ -4,6 +4,7 @@
 // spigolo/mesh/union_find.h - disjoint sets whose members are of one kind or the opposite kind
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <numeric>
 #include <utility>

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "spigolo/core/job.h"
-#include "spigolo/detect/prepare.h"
 #include "spigolo/index/kd_tree.h"
+#include "spigolo/index/prepared_cloud.h"
 
 namespace spigolo {
 

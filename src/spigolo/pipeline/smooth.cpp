@@ -12,6 +12,7 @@
 #include "spigolo/core/error.h"
 #include "spigolo/core/parallel.h"
 #include "spigolo/detect/methods.h"
+#include "spigolo/mls/sharp.h"
 #include "spigolo/mls/sharp_neighborhood.h"
 
 namespace spigolo {
@@ -46,13 +47,12 @@ std::vector<PointKind> labels_of(PreparedCloud& prepared, const SmoothOptions& o
 
 // Projects every place of the cloud with a function that each thread makes for itself.
 using Projection = std::function<SurfacePoint(const Vec3& query)>;
-std::vector<SurfacePoint> project_all(const MlsCloud& cloud, const Job& job,
+std::vector<SurfacePoint> project_all(const OrderedCloud& cloud, const Job& job,
                                       const std::function<Projection()>& make_projection) {
-  std::vector<SurfacePoint> result(cloud.points().size());
+  std::vector<SurfacePoint> result(cloud.size());
   parallel_for(job, "projection", result.size(), grain, [&](std::size_t begin, std::size_t end) {
     const Projection project = make_projection();
-    for (std::size_t i = begin; i < end; ++i)
-      result[i] = project(cloud.points()[i] + cloud.origin());
+    for (std::size_t i = begin; i < end; ++i) result[i] = project(cloud.points[i] + cloud.origin);
   });
   return result;
 }
@@ -61,7 +61,7 @@ std::vector<SurfacePoint> project_by(SmoothMethod method, const MlsCloud& cloud,
                                      std::span<const PointKind> kind, const MlsOptions& mls,
                                      const Job& job) {
   if (method == SmoothMethod::plain)
-    return project_all(cloud, job, [&] {
+    return project_all(cloud.ordered(), job, [&] {
       return [&, scratch = MlsScratch()](const Vec3& q) mutable {
         return project_plain(cloud, q, mls, scratch);
       };
@@ -69,7 +69,7 @@ std::vector<SurfacePoint> project_by(SmoothMethod method, const MlsCloud& cloud,
   FeatureLineOptions options;
   options.mls = mls;
   const FeatureMap features = map_features(cloud, kind, mls.k, job);
-  return project_all(cloud, job, [&] {
+  return project_all(cloud.ordered(), job, [&] {
     return [&, scratch = FeatureLineScratch()](const Vec3& q) mutable {
       return project_feature_line(cloud, features, q, options, scratch);
     };
@@ -112,22 +112,63 @@ void warn(Smoothed& s) {
 
 }  // namespace
 
-Smoothed smooth(std::span<const Vec3> points, const SmoothOptions& options, const Job& job) {
-  settle(options.mls, 0);  // what is out of range is told before the work begins
+namespace {
+
+// The thesis's two methods.
+void smooth_by_neighbors(std::span<const Vec3> points, PreparedCloud&& prepared,
+                         const SmoothOptions& options, const Job& job, Smoothed& s) {
   Stopwatch watch;
-  PreparedCloud prepared = prepare_cloud(points, prepared_k, job);
-  Smoothed s;
-  s.spacing = prepared.spacing.of_cloud, s.noise = prepared.noise;
-  s.duplicates = prepared.cloud.duplicates, s.non_finite = prepared.cloud.non_finite;
-  s.seconds_index = watch.lap();
   const std::vector<PointKind> kind = labels_of(prepared, options, job, s.warnings);
   s.seconds_detect = watch.lap();
   const MlsCloud cloud(std::move(prepared));
   s.mls = settle(options.mls, s.noise);
   const std::vector<SurfacePoint> found = project_by(options.method, cloud, kind, s.mls, job);
   in_input_order(points, cloud.ordered(), found, kind, s);
-  warn(s);
   s.seconds_project = watch.lap();
+}
+
+// Given labels replace the kinds; the creases themselves are the sheets' own.
+void smooth_by_sheets(std::span<const Vec3> points, PreparedCloud&& prepared,
+                      const SmoothOptions& options, const Job& job, Smoothed& s) {
+  Stopwatch watch;
+  SheetModel model = build_sheet_model(std::move(prepared), {}, job);
+  std::vector<PointKind> kind(model.size());
+  if (options.features != nullptr)
+    kind = ordered_kinds(model.prepared.cloud, options.features->kind);
+  for (std::size_t i = 0; i < kind.size(); ++i) {
+    if (options.features == nullptr) kind[i] = model.verdicts[i].kind;
+    model.verdicts[i].kind = kind[i];
+  }
+  s.seconds_detect = watch.lap();
+  const SharpSurface surface(std::move(model), options.mls, job);
+  s.mls = surface.options();
+  const OrderedCloud& cloud = surface.model().prepared.cloud;
+  const std::vector<SurfacePoint> found = project_all(cloud, job, [&] {
+    return [&, probe = surface.probe()](const Vec3& q) mutable {
+      return project_sharp(surface, q, probe);
+    };
+  });
+  in_input_order(points, cloud, found, kind, s);
+  s.seconds_project = watch.lap();
+}
+
+}  // namespace
+
+Smoothed smooth(std::span<const Vec3> points, const SmoothOptions& options, const Job& job) {
+  settle(options.mls, 0);  // what is out of range is told before the work begins
+  if (options.features != nullptr && options.features->size() != points.size())
+    throw UsageError("there are labels for " + std::to_string(options.features->size()) +
+                     " points, but the cloud has " + std::to_string(points.size()) +
+                     "; labels must be of these very points");
+  Stopwatch watch;
+  PreparedCloud prepared = prepare_cloud(points, prepared_k, job);
+  Smoothed s;
+  s.spacing = prepared.spacing.of_cloud, s.noise = prepared.noise;
+  s.duplicates = prepared.cloud.duplicates, s.non_finite = prepared.cloud.non_finite;
+  s.seconds_index = watch.lap();
+  (options.method == SmoothMethod::sheets ? smooth_by_sheets : smooth_by_neighbors)(
+      points, std::move(prepared), options, job, s);
+  warn(s);
   return s;
 }
 

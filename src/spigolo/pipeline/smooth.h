@@ -18,12 +18,13 @@
 namespace spigolo {
 
 enum class SmoothMethod : std::uint8_t {
-  plain,        // thesis §4.3.2: Levin's projection, which rounds edges
-  feature_line  // thesis §4.3: the neighborhood cut at the feature line
+  sheets,        // onto the local sheet model: exactly sharp
+  plain,         // thesis §4.3.2: Levin's projection, which rounds edges
+  feature_line,  // thesis §4.3: the neighborhood cut at the feature line
 };
 
 struct SmoothOptions {
-  SmoothMethod method = SmoothMethod::feature_line;
+  SmoothMethod method = SmoothMethod::sheets;
   MlsOptions mls;  // k, smoothing, reach; 0 where they are to follow from the noise
   /// Labels of these very points, one each; null: the points are labelled first (not for plain).
   const Features* features = nullptr;

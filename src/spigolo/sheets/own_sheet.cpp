@@ -25,7 +25,7 @@ constexpr double outlying = 3, normal_per_median = 1.4826;  // standard deviatio
 constexpr double rounding = 1e-7;                           // [spacings] of exact data
 constexpr std::size_t most_points = 128;
 constexpr double exact_noise = 0.03;  // [spacings] with less, sheets are as exact as the points
-constexpr double shifted_fit = 1.2, shifted_height = 0.3;  // of squared residuals and heights
+constexpr double shifted_fit = 1.1, shifted_height = 0.3;  // of squared residuals and heights
 constexpr double wide = 2.5;  // standard deviations that hold nearly all points
 
 // Plane through points[0] (its unit normal) that the neighbors agree with best: each counts the

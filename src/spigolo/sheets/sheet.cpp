@@ -4,6 +4,7 @@
 // spigolo/sheets/sheet.cpp
 #include "spigolo/sheets/sheet.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "spigolo/core/symmetric3.h"
@@ -155,6 +156,17 @@ double height(const Sheet& sheet, const Vec3& p) {
 Vec3 normal_at(const Sheet& sheet, const Vec3& p) {
   const Gradient g = gradient(sheet, local(sheet, p));
   return normalized(sheet.n - sheet.u * g.u - sheet.v * g.v);
+}
+
+std::array<double, 2> curvatures_at(const Sheet& sheet, const Vec3& p) {
+  const Gradient g = gradient(sheet, local(sheet, p));
+  const double e = 1 + g.u * g.u, f = g.u * g.v, h = 1 + g.v * g.v;  // first fundamental form
+  const double area2 = e * h - f * f, length = std::sqrt(area2) * sheet.spacing;
+  const double l = 2 * sheet.a[3] / length, m = sheet.a[4] / length, n = 2 * sheet.a[5] / length;
+  const double mean = (e * n - 2 * f * m + h * l) / (2 * area2);
+  const double gauss = (l * n - m * m) / area2;
+  const double half = std::sqrt(std::max(0.0, mean * mean - gauss));
+  return {mean + half, mean - half};
 }
 
 Sheet fit_sheet(std::span<const Vec3> points, std::span<const char> use, double spacing,

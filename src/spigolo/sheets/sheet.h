@@ -31,6 +31,10 @@ double height(const Sheet& sheet, const Vec3& p);
 /// Unit normal of the sheet below p.
 Vec3 normal_at(const Sheet& sheet, const Vec3& p);
 
+/// Both principal curvatures below p, the larger one first, positive where the sheet bends towards
+/// its normal: eigenvalues of the shape operator (do Carmo 1976, §3.3). In 1 / unit of the points.
+std::array<double, 2> curvatures_at(const Sheet& sheet, const Vec3& p);
+
 inline constexpr int quadric_points = 9;  // with fewer, six coefficients say nothing
 
 enum class SheetOrder { plane, quadric };

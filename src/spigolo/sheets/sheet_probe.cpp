@@ -30,7 +30,11 @@ constexpr double poor_fit = 1.5, poor_floor = 0.05;  // [standard deviations], [
 
 ProbeReach probe_reach(double noise) {
   const double h = std::clamp(1.3 + 12 * noise, 1.3, 6.0);
-  return {h, std::max<std::size_t>(32, static_cast<std::size_t>(9 * h * h) + 12)};
+  return {h, points_for(h)};
+}
+
+std::size_t points_for(double smoothing) {
+  return std::max<std::size_t>(32, static_cast<std::size_t>(9 * smoothing * smoothing) + 12);
 }
 
 SheetProbe::SheetProbe(const SheetModel& model, const KdTree& tree, const ProbeReach& reach)

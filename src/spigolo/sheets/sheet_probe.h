@@ -22,6 +22,9 @@ struct ProbeReach {
 
 ProbeReach probe_reach(double noise);
 
+/// Points within three h or so of a place: what a look with that smoothing needs.
+std::size_t points_for(double smoothing);
+
 /// Keeps its memory between looks: one for each thread. The model and the tree must outlive it.
 class SheetProbe {
  public:

@@ -1,0 +1,129 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+#include "spigolo/mls/sharp.h"
+
+#include <gtest/gtest.h>
+
+#include "spigolo/core/error.h"
+#include "spigolo/core/random.h"
+#include "spigolo/synth/synth.h"
+
+namespace spigolo {
+namespace {
+
+SynthCloud synth(const char* shape, Sampling sampling, double noise = 0) {
+  SynthOptions options;
+  options.shape = shape;
+  options.sampling = sampling;
+  options.noise = noise;
+  options.points = 8000;
+  options.seed = 9;
+  return make_cloud(options);
+}
+
+double mean_spacing(const SynthCloud& c) {
+  return std::sqrt(area(c.shape) / static_cast<double>(c.cloud.size()));
+}
+
+// Mean distance [spacings] of places on the true creases to the projected surface.
+double gap(const SynthCloud& c, const SharpSurface& surface) {
+  SheetProbe probe = surface.probe();
+  double sum = 0;
+  int n = 0;
+  for (const ExactCrease& crease : c.shape.creases)
+    for (int t = 0; t < 20; ++t, ++n) {
+      const Vec3 e = crease.curve.at((t + 0.5) / 20);
+      sum += distance(project_sharp(surface, e, probe).position, e);
+    }
+  return sum / n / mean_spacing(c);
+}
+
+TEST(Sharp, EdgesAndCornersWithoutASampleOnThemAreKept) {
+  for (const char* shape : {"box", "l-prism", "cylinder-hole"})
+    for (const Sampling sampling : {Sampling::random, Sampling::blue}) {
+      const SynthCloud c = synth(shape, sampling);
+      const SharpSurface surface(c.cloud.points);
+      EXPECT_LT(gap(c, surface), 0.01) << shape;
+      SheetProbe probe = surface.probe();
+      for (const Corner& corner : c.shape.corners) {
+        const SurfacePoint s = project_sharp(surface, corner.position, probe);
+        EXPECT_LT(distance(s.position, corner.position), 0.03 * mean_spacing(c)) << shape;
+      }
+    }
+}
+
+TEST(Sharp, NoiseIsSmoothedAndEdgesStay) {
+  for (const Sampling sampling : {Sampling::random, Sampling::blue}) {
+    const SynthCloud c = synth("box", sampling, 0.2);
+    const SharpSurface surface(c.cloud.points);
+    EXPECT_LT(gap(c, surface), 0.1);
+    SheetProbe probe = surface.probe();
+    double before = 0, after = 0;
+    for (const Vec3& p : c.cloud.points) {
+      const SurfacePoint s = project_sharp(surface, p, probe);
+      before += std::pow(surface_distance(c.shape, p), 2);
+      after += std::pow(surface_distance(c.shape, s.position), 2);
+    }
+    EXPECT_LT(std::sqrt(after / before), 0.4);
+  }
+}
+
+// Thesis §2.3.2: a projection. The second one stays within what the weights' center may move.
+TEST(Sharp, ProjectingTwiceIsProjectingOnce) {
+  const SynthCloud c = synth("l-prism", Sampling::random);
+  const SharpSurface surface(c.cloud.points);
+  SheetProbe probe = surface.probe();
+  Random random(4);
+  for (std::size_t i = 0; i < c.cloud.size(); i += 40) {
+    const Vec3 q = c.cloud.points[i] + random.in_ball() * (0.3 * mean_spacing(c));
+    const SurfacePoint once = project_sharp(surface, q, probe);
+    const SurfacePoint twice = project_sharp(surface, once.position, probe);
+    EXPECT_LT(distance(once.position, twice.position), 0.02 * mean_spacing(c));
+  }
+}
+
+TEST(Sharp, CurvaturesOfASphere) {
+  const SynthCloud c = synth("sphere", Sampling::blue);
+  const SharpSurface surface(c.cloud.points);
+  SheetProbe probe = surface.probe();
+  const double radius = c.shape.radius;
+  for (std::size_t i = 0; i < c.cloud.size(); i += 50) {
+    const SurfacePoint s = project_sharp(surface, c.cloud.points[i], probe);
+    EXPECT_NEAR(std::abs(s.curvature[0]), 1 / radius, 0.05 / radius);
+    EXPECT_NEAR(std::abs(s.curvature[1]), 1 / radius, 0.05 / radius);
+  }
+}
+
+TEST(Sharp, CreaseNearAnEdgeTellsPointTangentAngleAndEnd) {
+  const SynthCloud c = synth("box", Sampling::blue);
+  const SharpSurface surface(c.cloud.points);
+  SheetProbe probe = surface.probe();
+  const double s = mean_spacing(c);
+  for (const ExactCrease& crease : c.shape.creases) {
+    const Vec3 a = crease.curve.at(0), b = crease.curve.at(1), middle = (a + b) / 2;
+    const auto place = find_crease_near(surface, middle + Vec3{0.2, 0.1, -0.2} * s, probe);
+    ASSERT_TRUE(place);
+    EXPECT_LT(norm(cross(place->crease.point - a, normalized(b - a))), 1e-3 * s);
+    EXPECT_NEAR(std::abs(dot(place->crease.direction, normalized(b - a))), 1, 1e-6);
+    EXPECT_NEAR(degrees(place->deviation), 90, 0.1);
+    EXPECT_FALSE(place->corner);
+    const auto end = find_crease_near(surface, a + (b - a) * (0.8 * s / distance(a, b)), probe);
+    ASSERT_TRUE(end && end->corner);
+    EXPECT_LT(distance(*end->corner, a), 0.01 * s);
+  }
+}
+
+TEST(Sharp, QueriesWithoutASurfaceSaySo) {
+  const SynthCloud c = synth("box", Sampling::random);
+  const SharpSurface surface(c.cloud.points);
+  SheetProbe probe = surface.probe();
+  const Vec3 far{1e3, 0, 0}, broken{not_a_number, 0, 0};
+  EXPECT_EQ(project_sharp(surface, far, probe).status, SurfaceStatus::too_far);
+  EXPECT_EQ(project_sharp(surface, far, probe).position, far);
+  EXPECT_EQ(project_sharp(surface, broken, probe).status, SurfaceStatus::degenerate);
+  EXPECT_FALSE(find_crease_near(surface, broken, probe));
+  EXPECT_THROW(SharpSurface(std::vector<Vec3>(5)), NoResultError);
+}
+
+}  // namespace
+}  // namespace spigolo

@@ -74,11 +74,16 @@ std::vector<Section> sections(const Arguments& a) {
           {"real",
            [=](Report& r) { a.data.empty() ? no_data(r) : real_clouds(r, a.data, a.pictures); }},
           {"speed", [=](Report& r) { speed(r, a.data); }},
-          {"peers", [=](Report& r) { no_peers(r); }}};
+          {"peers", [=](Report& r) { a.peers ? rivals_versions(r, {}) : no_peers(r); }},
+          {"peers-detect", [=](Report& r) { a.peers ? rivals_detect(r, {}, a.data) : void(); }},
+          {"peers-smooth", [=](Report& r) { a.peers ? rivals_smooth(r, {}) : void(); }}};
 }
 
+/// `only` names the section or what stands before its dash.
 bool chosen(const std::string& name, const std::string& only) {
-  return only.empty() || ("," + only + ",").find("," + name + ",") != std::string::npos;
+  const std::string list = "," + only + ",", group = name.substr(0, name.find('-'));
+  return only.empty() || list.find("," + name + ",") != std::string::npos ||
+         list.find("," + group + ",") != std::string::npos;
 }
 
 void run(const Arguments& arguments) {

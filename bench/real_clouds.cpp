@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // bench/real_clouds.cpp - scanned and CAD models: labels where there are any, a picture of each
-#include <algorithm>
 #include <array>
 
 #include "common.h"
+#include "labelled.h"
 #include "sample_mesh.h"
 #include "sections.h"
 #include "spigolo/io/atomic_file.h"
@@ -37,17 +37,6 @@ void write_picture(const fs::path& path, const std::vector<Vec3>& points,
   const std::vector<std::byte> png = encode_png(render(scene, options));
   out.write({reinterpret_cast<const char*>(png.data()), png.size()});
   out.commit();
-}
-
-// Red is a sharp edge: (168, 0, 0) or (255, 0, 0).
-std::vector<std::uint8_t> red_points(const PointCloud& cloud) {
-  const Attribute *red = cloud.find("red"), *green = cloud.find("green"),
-                  *blue = cloud.find("blue");
-  std::vector<std::uint8_t> labels(cloud.size());
-  if (!red || !green || !blue) throw InputError("labelled cloud", "header", "has no colours");
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    labels[i] = red->values[i] >= 100 && green->values[i] == 0 && blue->values[i] == 0;
-  return labels;
 }
 
 void unlabelled(Report& report, const fs::path& data, const fs::path& pictures) {
@@ -82,21 +71,14 @@ void unlabelled(Report& report, const fs::path& data, const fs::path& pictures) 
 
 void labelled(Report& report, const fs::path& data, const fs::path& pictures, const char* folder) {
   std::vector<std::vector<std::string>> rows;
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(data / "abc" / folder))
-    if (entry.path().extension() == ".ply") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
   std::array<double, methods.size()> sum{};
-  for (const fs::path& file : files) {
-    const PointCloud cloud = read_cloud(file);
-    FeatureTruth truth;
-    truth.feature = red_points(cloud);
-    truth.edge_distance.assign(cloud.size(), infinity);
-    std::vector<std::string> row = {file.stem().string(), std::to_string(cloud.size())};
+  const std::vector<LabelledCloud> clouds = read_labelled(data / "abc" / folder);
+  for (const LabelledCloud& cloud : clouds) {
+    std::vector<std::string> row = {cloud.name, std::to_string(cloud.points.size())};
     for (std::size_t m = 0; m < methods.size(); ++m) {
       const Detection d = detect(cloud.points, methods[m].options());
-      const Classification c = classify(sharp_flags(d.features), truth, Scoring::thin);
-      write_picture(pictures / ("abc-" + std::string(folder) + "-" + file.stem().string() + "-" +
+      const Classification c = classify(sharp_flags(d.features), cloud.truth, Scoring::thin);
+      write_picture(pictures / ("abc-" + std::string(folder) + "-" + cloud.name + "-" +
                                 methods[m].name + ".png"),
                     cloud.points, d.features);
       if (m == 0) row.insert(row.end(), {std::to_string(c.features), number(d.noise, 3)});
@@ -105,7 +87,7 @@ void labelled(Report& report, const fs::path& data, const fs::path& pictures, co
     }
     rows.push_back(row);
   }
-  const auto n = static_cast<double>(files.size());
+  const auto n = static_cast<double>(clouds.size());
   rows.push_back(
       {"mean", "", "", "", "", "", number(sum[0] / n, 3), "", "", number(sum[1] / n, 3)});
   report.text(std::string("`abc/") + folder + "`:");

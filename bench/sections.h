@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "report.h"
+#include "rival.h"
 
 namespace spigolo::bench {
 
@@ -21,5 +22,10 @@ void speed(Report& report, const std::filesystem::path& data);  // data may be e
 /// Files of the folder `data` (see docs/benchmarks.md); pictures go to `pictures`.
 void real_clouds(Report& report, const std::filesystem::path& data,
                  const std::filesystem::path& pictures);
+/// Other programs, from where ./dev bench --peers puts them.
+void rivals_versions(Report& report, const RivalPlaces& places);
+/// data: folder with abc/clean and abc/noisy; may be empty.
+void rivals_detect(Report& report, const RivalPlaces& places, const std::filesystem::path& data);
+void rivals_smooth(Report& report, const RivalPlaces& places);
 
 }  // namespace spigolo::bench

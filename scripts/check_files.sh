@@ -8,7 +8,8 @@ cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 longest=350  # lines a file
-# All that CMake may look for: nothing here is under GPL or AGPL.
+# All that CMake may look for: nothing here is under GPL or AGPL. bench/rivals is a project of its own
+# that is not part of ours and not shipped.
 packages=' TBB hwy Eigen3 ZLIB GTest CLI11 nlohmann_json benchmark nanoflann OpenCASCADE Python3 spigolo '
 
 status=0
@@ -55,7 +56,7 @@ while IFS=: read -r file package; do
   if [[ $packages != *" $package "* ]]; then
     complain "$file" "package '$package' is not on the list of scripts/check_files.sh"
   fi
-done < <(find . \( -path ./build -o -path ./out -o -path ./.git \) -prune -o \
+done < <(find . \( -path ./build -o -path ./out -o -path ./.git -o -path ./bench/rivals \) -prune -o \
   \( -name CMakeLists.txt -o -name "*.cmake" -o -name "*.cmake.in" \) -type f -print0 |
   xargs -r -0 grep -HioE \
     '^[^#]*(find_(package|dependency)|pkg_(check|search)_modules?) *\( *[A-Za-z0-9_$]+' |

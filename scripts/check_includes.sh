@@ -44,6 +44,8 @@ doors=(
   'gtest/|tests/*'
   'gmock/|tests/*'
   'benchmark/|bench/*'
+  'CGAL/|bench/rivals/*'
+  'pcl/|bench/rivals/*'
   'sys/|src/*.cpp apps/* tests/* bench/*'
   'unistd.h|src/*.cpp apps/* tests/* bench/*'
   'fcntl.h|src/*.cpp apps/* tests/* bench/*'

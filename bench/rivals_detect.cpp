@@ -1,0 +1,310 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// bench/rivals_detect.cpp - detection by others: one setting for all sets, and their best for each
+#include <array>
+#include <iterator>
+#include <sstream>
+
+#include "common.h"
+#include "labelled.h"
+#include "sections.h"
+
+namespace spigolo::bench {
+namespace {
+
+constexpr double without_border = 4;  // [h] from the border of an open surface nothing is scored
+
+/// A rival gives every point a score, in several columns (its scales); a limit on it marks points.
+struct Detector {
+  const char* name;
+  bool (*run)(const RivalPlaces& places, const std::string& in, const fs::path& out,
+              double spacing);
+  std::size_t skip = 0;         // columns before the scores
+  const char* names = nullptr;  // of the scores, if the file's do not tell
+};
+
+bool run_vcm(const RivalPlaces& places, const std::string& in, const fs::path& out,
+             double spacing) {
+  return run_rival(places, {places.program("cgal_vcm"), in, out.string(), number(spacing, 12)});
+}
+bool run_pca(const RivalPlaces& places, const std::string& in, const fs::path& out, double) {
+  return run_rival(places, {places.program("multi_scale_pca"), in, out.string()});
+}
+bool run_pcl(const RivalPlaces& places, const std::string& in, const fs::path& out, double) {
+  return run_rival(places, {places.program("pcl_curvature"), in, out.string()});
+}
+bool run_cloudcompare(const RivalPlaces& places, const std::string& in, const fs::path& out,
+                      double spacing) {
+  std::vector<std::string> command = {"env",
+                                      "QT_QPA_PLATFORM=offscreen",
+                                      "CloudCompare",
+                                      "-SILENT",
+                                      "-NO_TIMESTAMP",
+                                      "-AUTO_SAVE",
+                                      "OFF",
+                                      "-O",
+                                      in,
+                                      "-C_EXPORT_FMT",
+                                      "ASC",
+                                      "-PREC",
+                                      "12",
+                                      "-ADD_HEADER"};
+  for (const double radius : {1.5, 2.0, 3.0, 4.0})
+    command.insert(command.end(), {"-FEATURE", "SURFACE_VARIATION", number(radius * spacing, 12)});
+  command.emplace_back("-SAVE_CLOUDS");
+  const fs::path made = fs::path(in).replace_extension(".asc");
+  fs::remove(made);
+  if (!run_rival(places, command) || !fs::exists(made)) return false;
+  fs::rename(made, out);
+  return true;
+}
+
+constexpr std::array<Detector, 4> detectors = {{{"CGAL VCM", run_vcm, 0},
+                                                {"multi-scale PCA", run_pca, 0},
+                                                {"PCL curvature", run_pcl, 0},
+                                                {"CloudCompare surface variation", run_cloudcompare,
+                                                 3, "radius-1.5 radius-2 radius-3 radius-4"}}};
+
+/// One cloud with its truth and what everyone says about it.
+struct Set {
+  std::vector<std::string> title;
+  std::vector<Vec3> points;
+  FeatureTruth truth;
+  double spacing = 0;              // mean, that radii are relative to
+  std::array<Scores, 4> scores{};  // of the detectors
+  std::vector<std::uint8_t> sheets{}, thesis{};
+};
+
+using Sets = std::vector<Set>;
+
+std::vector<std::string> words_of(const char* text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+void ask_all(const RivalPlaces& places, Set& set) {
+  const fs::path in = places.file("detect.xyz"), out = places.file("scores.txt");
+  write_xyz(in, set.points);
+  for (std::size_t r = 0; r < detectors.size(); ++r) {
+    fs::remove(out);
+    if (!detectors[r].run(places, in.string(), out, set.spacing)) continue;
+    auto scores = read_scores(out, detectors[r].skip);
+    if (!scores || scores->columns.empty() || scores->columns[0].size() != set.points.size())
+      continue;
+    if (detectors[r].names != nullptr) scores->names = words_of(detectors[r].names);
+    set.scores[r] = std::move(*scores);
+  }
+  set.sheets = sharp_flags(detect(set.points).features);
+  set.thesis = sharp_flags(detect(set.points, thesis_method()).features);
+}
+
+/// Takes the points near the border of an open surface out of the score: not every rival knows
+/// borders, and this table is not about them.
+void drop_borders(Set& set, const SynthCloud& s) {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < s.exact.size(); ++i)
+    if (border_distance(s.shape, s.exact[i]) > without_border * s.spacing) kept.push_back(i);
+  const auto keep = [&](auto& values) {
+    if (values.empty()) return;
+    for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
+    values.resize(kept.size());
+  };
+  keep(set.points), keep(set.truth.feature), keep(set.truth.edge_distance);
+  keep(set.sheets), keep(set.thesis);
+  for (Scores& scores : set.scores)
+    for (auto& column : scores.columns) keep(column);
+}
+
+/// Limits in equal steps of the logarithm; all scores are shares of a sum of eigenvalues.
+std::vector<double> limits() {
+  std::vector<double> list;
+  for (double limit = 5e-4; limit < 0.4; limit *= 1.12) list.push_back(limit);
+  return list;
+}
+
+double f1_of(const Set& set, std::size_t rival, std::size_t column, double limit, Scoring scoring) {
+  std::vector<std::uint8_t> flags;
+  flags.reserve(set.points.size());
+  for (const double s : set.scores[rival].columns[column]) flags.push_back(s >= limit);
+  return classify(flags, set.truth, scoring).f1;
+}
+
+struct Setting {
+  std::string column;
+  std::size_t index = 0;
+  double limit = 0, mean = 0;
+};
+
+/// F1 of every column and limit on every set, for one rival and one way of scoring.
+class Sweep {
+ public:
+  Sweep(const Sets& sets, std::size_t rival, Scoring scoring) : limits_(limits()) {
+    for (const Set& set : sets) {
+      const std::size_t columns = set.scores[rival].columns.size();
+      if (columns > 0) names_ = set.scores[rival].names;
+      f1_.emplace_back(columns * limits_.size());
+      for (std::size_t c = 0; c < columns; ++c)
+        for (std::size_t l = 0; l < limits_.size(); ++l)
+          f1_.back()[c * limits_.size() + l] = f1_of(set, rival, c, limits_[l], scoring);
+    }
+  }
+  bool answered() const {
+    return !f1_.empty() && std::all_of(f1_.begin(), f1_.end(), [this](const auto& row) {
+      return !row.empty() && row.size() == f1_[0].size();
+    });
+  }
+  double of(std::size_t set, const Setting& setting) const { return f1_[set][setting.index]; }
+  double best(std::size_t set) const { return *std::max_element(f1_[set].begin(), f1_[set].end()); }
+  /// The setting with the highest mean over all sets.
+  Setting best_for_all() const {
+    Setting best;
+    for (std::size_t i = 0; i < f1_[0].size(); ++i) {
+      double mean = 0;
+      for (const auto& row : f1_) mean += row[i] / static_cast<double>(f1_.size());
+      if (mean > best.mean)
+        best = {names_[i / limits_.size()], i, limits_[i % limits_.size()], mean};
+    }
+    return best;
+  }
+
+ private:
+  std::vector<double> limits_;
+  std::vector<std::string> names_;
+  std::vector<std::vector<double>> f1_;  // of a set, by column and limit
+};
+
+struct Judged {
+  std::vector<Setting> setting;
+  std::vector<bool> answered;
+};
+
+/// One table: ours, then of each rival the one setting and its best for each set.
+void add_table(Report& report, const Sets& sets, std::vector<std::string> head, Scoring scoring,
+               const Judged& judged) {
+  std::vector<Sweep> sweeps;
+  for (std::size_t r = 0; r < detectors.size(); ++r) sweeps.emplace_back(sets, r, scoring);
+  const std::size_t titles = head.size();
+  head.insert(head.end(), {"`sheets`", "`gauss-map`"});
+  for (const Detector& d : detectors)
+    head.insert(head.end(), {std::string(d.name) + ": one setting", "best"});
+  std::vector<std::vector<std::string>> rows;
+  std::vector<double> sums(head.size() - titles, 0);
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    std::vector<double> values = {classify(sets[s].sheets, sets[s].truth, scoring).f1,
+                                  classify(sets[s].thesis, sets[s].truth, scoring).f1};
+    for (std::size_t r = 0; r < detectors.size(); ++r) {
+      const bool there = judged.answered[r] && sweeps[r].answered();
+      values.push_back(there ? sweeps[r].of(s, judged.setting[r]) : not_a_number);
+      values.push_back(there ? sweeps[r].best(s) : not_a_number);
+    }
+    std::vector<std::string> row = sets[s].title;
+    for (std::size_t v = 0; v < values.size(); ++v) {
+      row.push_back(std::isnan(values[v]) ? "-" : number(values[v], 3));
+      sums[v] += values[v] / static_cast<double>(sets.size());
+    }
+    rows.push_back(row);
+  }
+  std::vector<std::string> mean(titles);
+  mean[0] = "mean";
+  for (const double sum : sums) mean.push_back(std::isnan(sum) ? "-" : number(sum, 3));
+  rows.push_back(mean);
+  report.table(head, rows);
+}
+
+/// The one setting of each rival: the best mean over these sets, by their truth.
+Judged judge(const Sets& sets, Scoring scoring) {
+  Judged judged;
+  for (std::size_t r = 0; r < detectors.size(); ++r) {
+    const Sweep sweep(sets, r, scoring);
+    judged.answered.push_back(sweep.answered());
+    judged.setting.push_back(sweep.answered() ? sweep.best_for_all() : Setting{});
+  }
+  return judged;
+}
+
+void name_settings(Report& report, const Judged& judged) {
+  std::string text = "The one settings: ";
+  for (std::size_t r = 0; r < detectors.size(); ++r) {
+    text += std::string(r > 0 ? "; " : "") + detectors[r].name + " ";
+    text += judged.answered[r]
+                ? judged.setting[r].column + ", limit " + number(judged.setting[r].limit, 4)
+                : std::string("did not run");
+  }
+  report.text(text + ".");
+}
+
+Sets constructed(const RivalPlaces& places) {
+  Sets sets;
+  struct Wanted {
+    const char* shape;
+    double angle;
+  };
+  for (const Wanted& w :
+       {Wanted{"box", 0}, Wanted{"boxhole", 0}, Wanted{"wedge", 60}, Wanted{"wedge", 90},
+        Wanted{"wedge", 120}, Wanted{"wedge", 150}, Wanted{"l-prism", 0}})
+    for (const Sampling sampling : {Sampling::random, Sampling::blue})
+      for (const double noise : {0.0, 0.25, 0.5}) {
+        SynthOptions options{.shape = w.shape, .sampling = sampling, .points = 5000};
+        options.noise = noise, options.seed = 51;
+        options.angle = radians(w.angle > 0 ? w.angle : 90);
+        const SynthCloud s = make_cloud(options);
+        std::string name = w.shape;
+        if (w.angle > 0) name.append(" ").append(number(w.angle));
+        sets.push_back({{name, sampling == Sampling::blue ? "blue" : "random", number(noise, 2)},
+                        s.cloud.points,
+                        read_truth(s.cloud, s.spacing, s.lattice),
+                        std::sqrt(area(s.shape) / static_cast<double>(s.cloud.size()))});
+        ask_all(places, sets.back());
+        drop_borders(sets.back(), s);
+      }
+  return sets;
+}
+
+void labelled(Report& report, const RivalPlaces& places, const fs::path& folder,
+              const Judged& judged) {
+  Sets sets;
+  for (LabelledCloud& cloud : read_labelled(folder)) {
+    const double spacing = detect(cloud.points).spacing;
+    sets.push_back({{cloud.name, std::to_string(cloud.points.size())},
+                    std::move(cloud.points),
+                    std::move(cloud.truth),
+                    spacing});
+    ask_all(places, sets.back());
+  }
+  report.heading(4, "Labelled ABC clouds, " + folder.filename().string() + ": thin F1");
+  report.text("With the one settings of the constructed shapes (as ours are its defaults):");
+  add_table(report, sets, {"cloud", "points"}, Scoring::thin, judged);
+  const Judged own = judge(sets, Scoring::thin);
+  report.text("With the one setting that is best for these very clouds, by their labels:");
+  add_table(report, sets, {"cloud", "points"}, Scoring::thin, own);
+  name_settings(report, own);
+}
+
+}  // namespace
+
+void rivals_detect(Report& report, const RivalPlaces& places, const fs::path& data) {
+  report.heading(3, "Detection");
+  report.text(
+      "A rival gives every point a score; points over a limit are marked. Scales are in spacings "
+      "or neighbors, scores are shares, so a setting means the same on every cloud. One setting: "
+      "the pair of scale and limit with the highest mean tolerant F1 over all sets of the first "
+      "table, chosen with their truth, which no user has. Best: the best pair for each set and "
+      "score, chosen the same way. Ours: the defaults, nothing chosen. Points within 4 h of the "
+      "border of the "
+      "open wedges do not count for anyone. 5000 points, seed 51. "
+      "Scales tried: VCM 3 offset radii by 5 convolution radii, PCA 4 sizes of neighborhood and "
+      "3 counts over 7 sizes, PCL 6 sizes, CloudCompare 4 radii; 57 limits each.");
+  const Sets sets = constructed(places);
+  const Judged judged = judge(sets, Scoring::tolerant);
+  name_settings(report, judged);
+  report.text("Tolerant F1:");
+  add_table(report, sets, {"shape", "samples", "noise"}, Scoring::tolerant, judged);
+  report.text("Thin F1, the same settings:");
+  add_table(report, sets, {"shape", "samples", "noise"}, Scoring::thin, judged);
+  if (data.empty()) return;
+  for (const char* folder : {"clean", "noisy"})
+    labelled(report, places, data / "abc" / folder, judged);
+}
+
+}  // namespace spigolo::bench

@@ -17,6 +17,8 @@ constexpr double side_step = 0.5;         // [spacings] between the places a gui
 constexpr double own_cosine = 0.75;       // of the directions of a guide and its samples
 constexpr double station_step = 1;        // [spacings]
 constexpr std::size_t least_members = 3;  // for a local fit
+constexpr double bent_window = 0.8;       // of the radius of curvature that a local fit may span
+constexpr double least_window = 3;        // [spacings] that it spans in any case
 constexpr double trust = 1;               // [spacings] a local fit may move the guide
 
 std::size_t segment_at(const Guide& guide, double s) {
@@ -130,7 +132,16 @@ std::vector<Station> smooth_along(const Guide& guide, std::span<const Member> me
     places.clear();
     for (const std::uint32_t i : near) places.push_back(samples[i].place);
     if (near.size() >= least_members) {
-      const LocalCurve fit = fit_local_curve(places, station.place, guide.direction(s));
+      LocalCurve fit = fit_local_curve(places, station.place, guide.direction(s));
+      const double curvature = norm(fit.bend);
+      if (curvature * window > bent_window && window > least_window) {
+        members_between(guide, members, s - std::max(least_window, bent_window / curvature),
+                        s + std::max(least_window, bent_window / curvature), near);
+        places.clear();
+        for (const std::uint32_t i : near) places.push_back(samples[i].place);
+        if (near.size() >= least_members)
+          fit = fit_local_curve(places, station.place, guide.direction(s));
+      }
       if (distance(fit.place, station.place) < trust + window / 8) station.place = fit.place;
     }
     stations.push_back(station);

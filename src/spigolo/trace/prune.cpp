@@ -3,8 +3,11 @@
 //
 // spigolo/trace/prune.cpp - spurs out, curves whole again where only a spur had cut them
 #include <algorithm>
+#include <array>
+#include <map>
 #include <utility>
 
+#include "spigolo/trace/guide.h"
 #include "spigolo/trace/junctions.h"
 #include "spigolo/trace/local_fit.h"
 
@@ -22,10 +25,43 @@ bool free_end(const RawCurve& curve, std::size_t side) {
 bool spur(const RawCurve& curve, double least) {
   const double length = curve.chain.places.size() > 1 ? curve.chain.length() : 0;
   if (curve.chain.closed) return length < least_loop;
+  if (curve.junction[0] != no_junction && curve.junction[0] == curve.junction[1])
+    return length < 2 * least;
   const int open = free_end(curve, 0) + free_end(curve, 1);
   if (open == 0) return false;
   if (open == 1) return length < 0.8 * least || curve.chain.places.size() < least_places - 1;
   return length < least || curve.chain.places.size() < least_places;
+}
+
+// Whether all places of a curve lie that near to the other one.
+bool runs_along(const RawCurve& curve, const RawCurve& other, const RawNetwork& network,
+                double near) {
+  const Guide guide = guide_of(other, network.junctions);
+  return std::all_of(curve.chain.places.begin(), curve.chain.places.end(), [&](const Vec3& p) {
+    for (double s = 0; s <= guide.length(); s += 0.25)
+      if (squared_distance(guide.at(s), p) < near * near) return true;
+    return false;
+  });
+}
+
+// Of two curves between the same junctions that run side by side, the one with fewer places goes.
+void drop_doubles(RawNetwork& network, double near) {
+  std::map<std::array<int, 2>, std::vector<std::size_t>> between;
+  for (std::size_t c = 0; c < network.curves.size(); ++c) {
+    auto ends = network.curves[c].junction;
+    if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
+    if (ends[0] != no_junction && ends[0] != ends[1]) between[ends].push_back(c);
+  }
+  for (const auto& [ends, curves] : between)
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      for (std::size_t j = i + 1; j < curves.size(); ++j) {
+        RawCurve &a = network.curves[curves[i]], &b = network.curves[curves[j]];
+        if (a.chain.places.empty() || b.chain.places.empty()) continue;
+        const bool a_goes = a.chain.places.size() < b.chain.places.size();
+        if (runs_along(a_goes ? a : b, a_goes ? b : a, network, near))
+          (a_goes ? a : b).chain.places.clear();
+      }
+  std::erase_if(network.curves, [](const RawCurve& c) { return c.chain.places.empty(); });
 }
 
 using EndsAt = std::vector<std::vector<std::pair<std::size_t, std::size_t>>>;  // curve, side
@@ -117,6 +153,7 @@ RawNetwork prune(RawNetwork network, double least) {
   for (int round = 0; changed && round < 1000; ++round) {
     const std::size_t before = network.curves.size();
     std::erase_if(network.curves, [&](const RawCurve& c) { return spur(c, least); });
+    drop_doubles(network, least / 4);
     changed = mend(network) || network.curves.size() != before;
   }
   renumber(network);

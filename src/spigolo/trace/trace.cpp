@@ -12,6 +12,7 @@
 #include "spigolo/core/parallel.h"
 #include "spigolo/trace/chain_end.h"
 #include "spigolo/trace/crease_samples.h"
+#include "spigolo/trace/extend.h"
 #include "spigolo/trace/junctions.h"
 #include "spigolo/trace/place_grid.h"
 #include "spigolo/trace/shape_curve.h"
@@ -22,36 +23,57 @@ namespace {
 constexpr double member_reach = 1;      // [spacings] samples this close belong to a curve
 constexpr double border_scatter = 0.3;  // [spacings] border samples lie off the border that far
 constexpr int corner_rounds = 3;
+constexpr double exact_scatter = 0.03;  // [spacings] with less, samples lie on the crease
+constexpr int noisy_rounds = 2;
 
 struct Layer {
   CurveKind kind = CurveKind::edge;
-  std::span<const CreaseSample> samples;
+  std::vector<CreaseSample> samples;
   double scatter = 0;
   ShapeTolerances tolerances;
 };
 
 ShapeTolerances tolerances_for(const TraceOptions& options, double scatter) {
   ShapeTolerances t;
-  t.shape = 0.03 + 0.8 * scatter;
+  t.shape = 0.03 + 1.6 * scatter;
   t.spline = options.tolerance == automatic_tolerance ? 0.01 + 0.3 * scatter
                                                       : options.tolerance / options.spacing;
-  t.window = 3 + 10 * scatter;
+  t.window = 3 + 18 * scatter;
   return t;
 }
 
-std::vector<CurveDraft> drafts_of(const RawNetwork& raw, const Layer& layer) {
+std::vector<CurveDraft> drafts_of(const RawNetwork& raw) {
   std::vector<CurveDraft> drafts;
-  std::vector<Guide> guides;
-  for (const RawCurve& curve : raw.curves) guides.push_back(guide_of(curve, raw.junctions));
-  auto members = assign_members(guides, layer.samples, member_reach + 2 * layer.scatter);
-  for (std::size_t c = 0; c < guides.size(); ++c)
-    drafts.push_back({std::move(guides[c]),
-                      raw.curves[c].junction,
-                      raw.curves[c].chain.bridged,
-                      std::move(members[c]),
-                      {},
-                      {}});
+  for (const RawCurve& curve : raw.curves)
+    drafts.push_back(
+        {guide_of(curve, raw.junctions), curve.junction, curve.chain.bridged, {}, {}, {}});
   return drafts;
+}
+
+// Which samples belong to each draft, and how it runs by them.
+void follow_samples(std::vector<CurveDraft>& drafts, const Layer& layer, const Job& job) {
+  std::vector<Guide> guides;
+  for (const CurveDraft& draft : drafts) guides.push_back(draft.guide);
+  auto members = assign_members(guides, layer.samples, member_reach + 2 * layer.scatter);
+  parallel_for(job, "trace", drafts.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      drafts[c].members = std::move(members[c]);
+      drafts[c].stations =
+          smooth_along(drafts[c].guide, drafts[c].members, layer.samples, layer.tolerances.window);
+    }
+  });
+}
+
+// The guides take the course of their stations, and the corners that of the curves.
+void guide_by_stations(std::vector<CurveDraft>& drafts, std::span<const Vec3> junctions) {
+  for (CurveDraft& draft : drafts) {
+    RawCurve raw{{{}, draft.guide.closed, draft.bridged}, draft.junction, false};
+    for (const Station& s : draft.stations) raw.chain.places.push_back(s.place);
+    auto& places = raw.chain.places;
+    if (draft.junction[1] != no_junction && places.size() > 2) places.pop_back();
+    if (draft.junction[0] != no_junction && places.size() > 2) places.erase(places.begin());
+    draft.guide = guide_of(raw, junctions);
+  }
 }
 
 // Each corner where the curves that end there say it is.
@@ -89,31 +111,80 @@ void add_to(FeatureCurves& network, std::span<const Vec3> junctions,
   }
 }
 
-void trace_layer(const Layer& layer, std::span<const Vec3> hints, const Job& job,
-                 FeatureCurves& network) {
-  RawNetwork raw = join_chains(link_samples(layer.samples, layer.scatter), hints, layer.scatter);
-  std::vector<CurveDraft> drafts = drafts_of(raw, layer);
+void recognize_all(std::vector<CurveDraft>& drafts, const Layer& layer, const Job& job) {
   parallel_for(job, "trace", drafts.size(), 4, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      CurveDraft& draft = drafts[c];
-      draft.stations =
-          smooth_along(draft.guide, draft.members, layer.samples, layer.tolerances.window);
-      recognize(draft, layer.samples, layer.tolerances);
-    }
+    for (std::size_t c = begin; c < end; ++c) recognize(drafts[c], layer.samples, layer.tolerances);
   });
-  place_corners(drafts, layer, raw.junctions);
+}
+
+std::vector<FeatureCurve> finish_all(std::span<const CurveDraft> drafts,
+                                     std::span<const Vec3> junctions, const Layer& layer,
+                                     const Job& job) {
   std::vector<FeatureCurve> curves(drafts.size());
   parallel_for(job, "trace", drafts.size(), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
-      curves[c] = finish(drafts[c], raw.junctions, layer.samples, layer.tolerances);
+      curves[c] = finish(drafts[c], junctions, layer.samples, layer.tolerances);
       curves[c].kind = layer.kind;
-      if (layer.kind == CurveKind::border) {
-        std::fill(curves[c].angle.begin(), curves[c].angle.end(), 0.0);
-        curves[c].convex = 0;
-      }
+      if (layer.kind == CurveKind::edge) continue;
+      std::fill(curves[c].angle.begin(), curves[c].angle.end(), 0.0);
+      curves[c].convex = 0;
     }
   });
-  add_to(network, raw.junctions, std::move(curves));
+  return curves;
+}
+
+void trace_borders(const Layer& layer, const Job& job, FeatureCurves& network) {
+  RawNetwork raw = join_chains(link_samples(layer.samples, layer.scatter), {}, layer.scatter);
+  std::vector<CurveDraft> drafts = drafts_of(raw);
+  follow_samples(drafts, layer, job);
+  recognize_all(drafts, layer, job);
+  place_corners(drafts, layer, raw.junctions);
+  add_to(network, raw.junctions, finish_all(drafts, raw.junctions, layer, job));
+}
+
+std::vector<Vec3> joined(std::span<const Vec3> a, std::span<const Vec3> b) {
+  std::vector<Vec3> all(a.begin(), a.end());
+  all.insert(all.end(), b.begin(), b.end());
+  return all;
+}
+
+// The cloud is asked where chains go on, and again along the curves: for what lies between the
+// samples, or with noise for all of it, since what single points saw of the crease is biased.
+void trace_edges(Layer layer, const Survey& survey, std::span<const Vec3> hints, const Job& job,
+                 FeatureCurves& network) {
+  const auto extend = [&](std::vector<CreaseSample> more) {
+    layer.samples.insert(layer.samples.end(), more.begin(), more.end());
+  };
+  std::vector<Chain> chains = link_samples(layer.samples, layer.scatter);
+  extend(march_from_ends(survey, chains, layer.samples, layer.scatter, job));
+  chains = link_samples(layer.samples, layer.scatter);
+  RawNetwork raw = join_chains(std::move(chains), hints, layer.scatter);
+  std::vector<CurveDraft> drafts = drafts_of(raw);
+  follow_samples(drafts, layer, job);
+  if (layer.scatter < exact_scatter) {
+    extend(walk_along(survey, drafts, layer.samples, false, job));
+    follow_samples(drafts, layer, job);
+  }
+  for (int round = 0; round < noisy_rounds && layer.scatter >= exact_scatter; ++round) {
+    std::vector<CreaseSample> seen = walk_along(survey, drafts, layer.samples, true, job);
+    if (round == 0)
+      extend(std::move(seen));
+    else
+      layer.samples = std::move(seen);
+    follow_samples(drafts, layer, job);
+    recognize_all(drafts, layer, job);
+    place_corners(drafts, layer, raw.junctions);
+    guide_by_stations(drafts, raw.junctions);
+    follow_samples(drafts, layer, job);
+  }
+  recognize_all(drafts, layer, job);
+  raw = join_chains(reach_out(drafts, raw.junctions, layer.scatter), joined(hints, raw.junctions),
+                    layer.scatter);
+  drafts = drafts_of(raw);
+  follow_samples(drafts, layer, job);
+  recognize_all(drafts, layer, job);
+  place_corners(drafts, layer, raw.junctions);
+  add_to(network, raw.junctions, finish_all(drafts, raw.junctions, layer, job));
 }
 
 // The nearest curve within reach of each feature point's place on the crease.
@@ -164,14 +235,16 @@ TracedFeatures trace_features(std::span<const Vec3> points, const Features& feat
   TracedFeatures result;
   const double scatter = std::max(options.noise, options.scatter);
   const CreaseSamples samples = gather_samples(points, features, options.spacing, scatter, job);
-  const Layer edges{CurveKind::edge, samples.edges, scatter, tolerances_for(options, scatter)};
-  trace_layer(edges, samples.corners, job, result.network);
+  const ShapeTolerances tolerances = tolerances_for(options, scatter);
+  if (!samples.edges.empty())
+    trace_edges({CurveKind::edge, samples.edges, scatter, tolerances},
+                Survey(points, samples, options.noise, job), samples.corners, job, result.network);
   const double wide = std::max(scatter, border_scatter);
-  const Layer borders{CurveKind::border, samples.borders, wide, tolerances_for(options, wide)};
-  trace_layer(borders, {}, job, result.network);
+  trace_borders({CurveKind::border, samples.borders, wide, tolerances_for(options, wide)}, job,
+                result.network);
   result.curve_of_point = curves_of_points(features, result.network, samples, 2 + 2 * scatter);
   to_input_units(samples, result.network);
-  result.tolerance = edges.tolerances.spline * options.spacing;
+  result.tolerance = tolerances.spline * options.spacing;
   return result;
 }
 

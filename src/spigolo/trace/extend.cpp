@@ -1,0 +1,159 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/trace/extend.cpp
+#include "spigolo/trace/extend.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "spigolo/core/parallel.h"
+#include "spigolo/trace/place_grid.h"
+
+namespace spigolo {
+namespace {
+
+constexpr double known_reach = 0.8;     // [spacings] a place that near to a sample is known
+constexpr double known_cosine = 0.8;    // if the sample runs its way
+constexpr double angle_reach = 2;       // [spacings] round an end that tell its angle
+constexpr double longest_reach = 12;    // [spacings] along a form beyond an end
+constexpr double own_share = 0.6;       // of its own length that a curve reaches beyond it
+constexpr double path_step = 0.5;       // [spacings]
+constexpr double plain_reach = 4.5;     // [spacings] more is marked as bridged
+constexpr std::size_t least_chain = 3;  // places; shorter chains tell no direction
+
+double angle_at(const Vec3& place, const PlaceGrid& grid, std::span<const CreaseSample> samples,
+                double reach) {
+  std::vector<double> angles;
+  grid.within(place, reach, [&](std::uint32_t i) { angles.push_back(samples[i].angle); });
+  if (angles.empty()) return half_pi;
+  const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
+  std::nth_element(angles.begin(), middle, angles.end());
+  return *middle;
+}
+
+// Places half a spacing apart along the form of a draft, beyond one of its ends.
+std::vector<Vec3> path_beyond(const CurveDraft& draft, int side) {
+  const auto& places = draft.guide.places;
+  const Vec3 end = side == 0 ? places.front() : places.back();
+  const double length = draft.guide.length();
+  const Vec3 outward = draft.guide.direction(side == 0 ? 0 : length) * (side == 0 ? -1.0 : 1.0);
+  const double steps = std::min(longest_reach, own_share * length) / path_step;
+  std::vector<Vec3> path;
+  if (const auto* line = std::get_if<LineFit>(&draft.form)) {
+    const Vec3 d = line->direction * (dot(line->direction, outward) < 0 ? -1.0 : 1.0);
+    const Vec3 from = line->place + d * dot(end - line->place, d);
+    for (double k = 1; k <= steps; ++k) path.push_back(from + d * (k * path_step));
+  } else if (const auto* circle = std::get_if<CircleFit>(&draft.form)) {
+    const Vec3 x = normalized(circle->nearest(end) - circle->center);
+    Vec3 y = cross(circle->axis, x);
+    if (dot(y, outward) < 0) y = -y;
+    for (double k = 1; k <= steps; ++k) {
+      const double a = k * path_step / circle->radius;
+      path.push_back(circle->center + (x * std::cos(a) + y * std::sin(a)) * circle->radius);
+    }
+  }
+  return path;
+}
+
+// What free ends may come to.
+struct Target {
+  Vec3 place;
+  std::size_t owner;  // 2 * draft + side of a free end; own_of_nobody for junctions
+};
+constexpr std::size_t own_of_nobody = static_cast<std::size_t>(-1);
+
+// How many places of the path lead to the first target; 0 if none does.
+std::size_t steps_to_target(std::span<const Vec3> path, const PlaceGrid& grid,
+                            std::span<const Target> targets, std::size_t self, double near) {
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    bool hit = false;
+    grid.within(path[k], near, [&](std::uint32_t t) { hit |= targets[t].owner != self; });
+    if (hit) return k + 1;
+  }
+  return 0;
+}
+
+std::vector<CreaseSample> joined(std::vector<std::vector<CreaseSample>>& parts) {
+  std::vector<CreaseSample> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+}  // namespace
+
+std::vector<Chain> reach_out(std::span<const CurveDraft> drafts, std::span<const Vec3> junctions,
+                             double scatter) {
+  std::vector<Target> targets;
+  for (const Vec3& j : junctions) targets.push_back({j, own_of_nobody});
+  std::vector<std::vector<Vec3>> paths(2 * drafts.size());
+  for (std::size_t e = 0; e < paths.size(); ++e) {
+    const CurveDraft& draft = drafts[e / 2];
+    const auto side = static_cast<int>(e % 2);
+    if (draft.guide.closed || draft.junction[e % 2] != no_junction) continue;
+    targets.push_back({side == 0 ? draft.guide.places.front() : draft.guide.places.back(), e});
+    paths[e] = path_beyond(draft, side);
+    for (const Vec3& p : paths[e]) targets.push_back({p, e});
+  }
+  std::vector<Vec3> places;
+  for (const Target& t : targets) places.push_back(t.place);
+  const PlaceGrid grid(places, 1);
+  const double near = path_step / 2 + 0.1 + scatter;
+  std::vector<Chain> chains;
+  for (std::size_t c = 0; c < drafts.size(); ++c) {
+    const Guide& guide = drafts[c].guide;
+    Chain& chain = chains.emplace_back(Chain{guide.places, guide.closed, drafts[c].bridged});
+    if (guide.closed) chain.places.pop_back();
+    for (std::size_t side = 0; side < 2; ++side) {
+      const auto& path = paths[2 * c + side];
+      const std::size_t steps = steps_to_target(path, grid, targets, 2 * c + side, near);
+      chain.bridged = chain.bridged || static_cast<double>(steps) * path_step > plain_reach;
+      for (std::size_t k = 1; k < steps; k += 2)
+        chain.places.insert(side == 0 ? chain.places.begin() : chain.places.end(), path[k]);
+    }
+  }
+  return chains;
+}
+
+std::vector<CreaseSample> march_from_ends(const Survey& survey, std::span<const Chain> chains,
+                                          std::span<const CreaseSample> samples, double scatter,
+                                          const Job& job) {
+  std::vector<Vec3> places;
+  for (const CreaseSample& s : samples) places.push_back(s.place);
+  const PlaceGrid grid(places, angle_reach);
+  std::vector<ChainEnd> ends = find_ends(chains, scatter);
+  std::erase_if(ends,
+                [&](const ChainEnd& end) { return chains[end.chain].places.size() < least_chain; });
+  std::vector<std::vector<CreaseSample>> found(ends.size());
+  parallel_for(job, "trace", ends.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      const Vec3 from = ends[e].model.place;
+      const auto known = [&](const CreaseSample& s) {
+        bool is_known = false;
+        if (distance(s.place, from) > 2 * known_reach)
+          grid.within(s.place, known_reach, [&](std::uint32_t i) {
+            is_known |= std::abs(dot(samples[i].direction, s.direction)) > known_cosine;
+          });
+        return is_known;
+      };
+      found[e] = march(survey, ends[e], angle_at(from, grid, samples, angle_reach), known);
+    }
+  });
+  return joined(found);
+}
+
+std::vector<CreaseSample> walk_along(const Survey& survey, std::span<const CurveDraft> drafts,
+                                     std::span<const CreaseSample> samples, bool everywhere,
+                                     const Job& job) {
+  std::vector<std::vector<CreaseSample>> found(drafts.size());
+  parallel_for(job, "trace", drafts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      const WalkOptions options{
+          everywhere, {drafts[c].junction[0] != no_junction, drafts[c].junction[1] != no_junction}};
+      found[c] = walk(survey, drafts[c].guide, drafts[c].members, samples, options);
+    }
+  });
+  return joined(found);
+}
+
+}  // namespace spigolo

@@ -1,0 +1,253 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/mesh/label.cpp
+#include "spigolo/mesh/label.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "spigolo/core/parallel.h"
+#include "spigolo/mesh/union_find.h"
+
+namespace spigolo {
+namespace {
+
+constexpr std::size_t grain = 512;
+constexpr std::size_t buckets = 8192;
+constexpr double per_bucket = 1.0 / 512;  // of openness
+constexpr double across_crease = 0.3;     // doubt about the sheets beside a crease
+constexpr double most_doubt = 1.0;        // neighbors less alike say nothing about each other
+constexpr double longest_neighbor = 2.5;  // [steps]
+
+// Two tetrahedra are on the same side (differ 0) or not (1).
+struct Statement {
+  std::uint32_t a = no_index, b = no_index;
+  std::uint8_t differ = 0;
+  float doubt = 0;
+};
+
+struct Poles {
+  std::uint32_t up = no_index, down = no_index;
+};
+
+class Labeller {
+ public:
+  Labeller(const Delaunay& delaunay, const MeshSamples& samples, const CreaseSides& sides,
+           const Job& job)
+      : delaunay_(delaunay),
+        samples_(samples),
+        sides_(sides),
+        job_(job),
+        sets_(delaunay.tetrahedra().size()) {}
+
+  Labelling run() {
+    find_poles();
+    for (const Poles& p : poles_)
+      if (p.up != no_index) state({p.up, p.down, 1, 0});
+    state_neighbors();
+    state_facets();
+    return read_labels();
+  }
+
+ private:
+  static std::uint32_t vertex(std::size_t sample) {
+    return static_cast<std::uint32_t>(sample) + Delaunay::helpers;
+  }
+
+  void state(const Statement& s) {
+    if (s.a != no_index && s.b != no_index && !sets_.join(s.a, s.b, s.differ))
+      ++result_.contradictions;
+  }
+
+  void find_poles() {
+    poles_.resize(samples_.size());
+    parallel_for(job_, "sides", samples_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint32_t> scratch;
+      for (std::size_t i = std::max(begin, samples_.on_creases); i < end; ++i) {
+        if (!delaunay_.has(vertex(i))) continue;
+        poles_[i] = {delaunay_.towards(vertex(i), samples_.normal[i], scratch),
+                     delaunay_.towards(vertex(i), -samples_.normal[i], scratch)};
+      }
+    });
+  }
+
+  // Neighbors on one sheet look to the same side with their normals, or to opposite ones.
+  void of_neighbors(std::size_t i, std::vector<std::uint32_t>& scratch,
+                    std::vector<Statement>& out) const {
+    delaunay_.star(vertex(i), scratch);
+    std::vector<std::uint32_t> neighbors;
+    for (const std::uint32_t t : scratch)
+      for (const std::uint32_t v : delaunay_.tetrahedra()[t].v)
+        if (v > vertex(i)) neighbors.push_back(v - Delaunay::helpers);
+    std::sort(neighbors.begin(), neighbors.end());
+    neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+    for (const std::uint32_t j : neighbors) {
+      const Vec3 d = samples_.position[j] - samples_.position[i];
+      const double length = norm(d), turn = dot(samples_.normal[i], samples_.normal[j]);
+      if (!(length > 0) || length > longest_neighbor * samples_.step) continue;
+      const double doubt = 1 - std::abs(turn) + std::abs(dot(d, samples_.normal[i])) / length +
+                           std::abs(dot(d, samples_.normal[j])) / length;
+      if (doubt < most_doubt)
+        out.push_back(
+            {poles_[i].up, turn > 0 ? poles_[j].up : poles_[j].down, 0, static_cast<float>(doubt)});
+    }
+  }
+
+  // Around the middle of a segment: the tetrahedron that a direction square to it enters.
+  std::uint32_t beside(const VertexPair& segment, const Vec3& direction,
+                       const std::vector<std::uint32_t>& around) const {
+    const Vec3 &a = delaunay_.point(vertex(segment[0])), &b = delaunay_.point(vertex(segment[1]));
+    const Vec3 t = normalized(b - a);
+    std::uint32_t best = no_index;
+    double best_margin = -infinity;
+    for (const std::uint32_t tet : around) {
+      std::array<Vec3, 2> side;
+      std::size_t n = 0;
+      for (const std::uint32_t v : delaunay_.tetrahedra()[tet].v) {
+        if (v == vertex(segment[0]) || v == vertex(segment[1])) continue;
+        const Vec3 d = delaunay_.point(v) - a;
+        side[n++] = normalized(d - dot(d, t) * t);
+      }
+      // between the two, no farther from either than they are apart
+      const double margin = angle_between(side[0], side[1]) - angle_between(side[0], direction) -
+                            angle_between(side[1], direction);
+      if (margin > best_margin) best_margin = margin, best = tet;
+    }
+    return best;
+  }
+
+  void of_segment(std::size_t s, std::vector<std::uint32_t>& around,
+                  std::vector<Statement>& out) const {
+    const SegmentSides& sides = sides_.of_segment[s];
+    const VertexPair& segment = samples_.creases[s];
+    if (!sides.known || !delaunay_.has(vertex(segment[0]))) return;
+    delaunay_.around(vertex(segment[0]), vertex(segment[1]), around);
+    if (around.empty()) return;
+    const std::uint32_t first = beside(segment, sides.into[0], around);
+    const std::uint32_t second = beside(segment, sides.into[1], around);
+    out.push_back({first, second, 1, 0});
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::uint32_t q = sides.shown_by[k];
+      const double side = dot(samples_.normal[q], sides.into[0]);
+      out.push_back(
+          {first, side > 0 ? poles_[q].up : poles_[q].down, 0, static_cast<float>(across_crease)});
+    }
+  }
+
+  void state_neighbors() {
+    const std::size_t ranges = samples_.size() / grain + 1;
+    std::vector<std::vector<Statement>> found(ranges),
+        at_creases(samples_.creases.size() / grain + 1);
+    parallel_for(job_, "", samples_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint32_t> scratch;
+      for (std::size_t i = std::max(begin, samples_.on_creases); i < end; ++i)
+        if (delaunay_.has(vertex(i))) of_neighbors(i, scratch, found[begin / grain]);
+    });
+    parallel_for(job_, "", samples_.creases.size(), grain, [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint32_t> scratch;
+      for (std::size_t s = begin; s < end; ++s) of_segment(s, scratch, at_creases[begin / grain]);
+    });
+    std::vector<Statement> all;
+    for (const auto* lists : {&at_creases, &found})
+      for (const auto& list : *lists) all.insert(all.end(), list.begin(), list.end());
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Statement& a, const Statement& b) { return a.doubt < b.doubt; });
+    for (const Statement& s : all) state(s);
+  }
+
+  // Counting sort by openness: bucket, then tetrahedron.
+  void state_facets() {
+    const auto tets = delaunay_.tetrahedra();
+    const Openness openness(delaunay_, samples_, sides_);
+    std::vector<std::uint16_t> bucket(4 * tets.size(), 0);
+    parallel_for(job_, "openness", tets.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t)
+        for (std::size_t i = 0; i < 4 && tets[t].alive(); ++i) {
+          if (tets[t].neighbor[i] == no_index || tets[t].neighbor[i] < t) continue;
+          const double o = openness.of(static_cast<std::uint32_t>(t), i) / per_bucket;
+          bucket[4 * t + i] = static_cast<std::uint16_t>(
+              1 + static_cast<std::size_t>(std::clamp(o, 0.0, double{buckets} - 1)));
+        }
+    });
+    std::vector<std::size_t> begin(buckets + 2, 0);
+    for (const std::uint16_t b : bucket) ++begin[b];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<std::uint32_t> sorted(bucket.size());
+    for (std::size_t f = bucket.size(); f-- > 0;)
+      sorted[--begin[bucket[f]]] = static_cast<std::uint32_t>(f);
+    for (std::size_t i = sorted.size(); i-- > 0;) {
+      const std::uint32_t f = sorted[i];
+      if (bucket[f] > 0) state({f / 4, tets[f / 4].neighbor[f % 4], 0, 0});
+    }
+  }
+
+  Labelling read_labels() {
+    const auto tets = delaunay_.tetrahedra();
+    result_.inside.assign(tets.size(), 0);
+    std::uint32_t outside = 0;
+    while (!tets[outside].alive() ||
+           *std::min_element(tets[outside].v.begin(), tets[outside].v.end()) >= Delaunay::helpers)
+      ++outside;
+    const std::uint8_t parity = sets_.find(outside).parity;
+    for (std::uint32_t t = 0; t < tets.size(); ++t)
+      if (tets[t].alive()) result_.inside[t] = sets_.find(t).parity ^ parity;
+    return std::move(result_);
+  }
+
+  const Delaunay& delaunay_;
+  const MeshSamples& samples_;
+  const CreaseSides& sides_;
+  const Job& job_;
+  ParitySets sets_;
+  std::vector<Poles> poles_;  // per sample; of those on creases empty
+  Labelling result_;
+};
+
+}  // namespace
+
+double Openness::tilt(const Triangle& corners) const {
+  const Vec3 &a = samples_.position[corners[0]], &b = samples_.position[corners[1]],
+             &c = samples_.position[corners[2]];
+  const Vec3 n = normalized(cross(b - a, c - a));
+  if (!(squared_norm(n) > 0)) return half_pi;
+  double largest = 0;
+  for (const std::uint32_t v : corners) {
+    double cosine = 0;
+    if (samples_.on_crease(v)) {
+      const SideNormals& side = sides_.of_vertex[v];
+      if (side.count == 0) continue;
+      for (std::size_t i = 0; i < side.count; ++i)
+        cosine = std::max(cosine, std::abs(dot(n, side.normal[i])));
+    } else {
+      cosine = std::abs(dot(n, samples_.normal[v]));
+    }
+    largest = std::max(largest, std::acos(std::min(cosine, 1.0)));
+  }
+  return largest;
+}
+
+double Openness::length(const Triangle& corners) const {
+  const Vec3 &a = samples_.position[corners[0]], &b = samples_.position[corners[1]],
+             &c = samples_.position[corners[2]];
+  return std::sqrt(
+             std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)})) /
+         samples_.step;
+}
+
+double Openness::of(std::uint32_t tet, std::size_t facet) const {
+  Triangle corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t v = delaunay_.tetrahedra()[tet].v[facet_corners[facet][k]];
+    if (v < Delaunay::helpers) return infinity;
+    corners[k] = v - Delaunay::helpers;
+  }
+  return tilt(corners) / half_pi + std::max(0.0, length(corners) - 1) / 4;
+}
+
+Labelling label_tetrahedra(const Delaunay& delaunay, const MeshSamples& samples,
+                           const CreaseSides& sides, const Job& job) {
+  return Labeller(delaunay, samples, sides, job).run();
+}
+
+}  // namespace spigolo

@@ -1,0 +1,50 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/mesh/label.h - which tetrahedra are inside: the surface is where the label changes
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "spigolo/core/job.h"
+#include "spigolo/mesh/delaunay.h"
+#include "spigolo/mesh/samples.h"
+#include "spigolo/mesh/sides.h"
+
+namespace spigolo {
+
+/// How much a facet looks like empty space rather than surface: 0 along the sheets of its corners,
+/// 1 square to them; plus a quarter for each step its longest edge is longer than one.
+class Openness {
+ public:
+  Openness(const Delaunay& delaunay, const MeshSamples& samples, const CreaseSides& sides)
+      : delaunay_(delaunay), samples_(samples), sides_(sides) {}
+
+  double of(std::uint32_t tet, std::size_t facet) const;
+
+  /// [rad] between the facet and the sheets of its corners, the largest; pi / 2 where it is a line.
+  double tilt(const Triangle& corners) const;
+  /// [steps] longest edge.
+  double length(const Triangle& corners) const;
+
+ private:
+  const Delaunay& delaunay_;
+  const MeshSamples& samples_;
+  const CreaseSides& sides_;
+};
+
+struct Labelling {
+  std::vector<std::uint8_t> inside;  // per slot of a tetrahedron
+  std::size_t contradictions = 0;    // statements about the surface that could not all be true
+};
+
+/// Vertex i of the samples is vertex i + Delaunay::helpers. Statements that two tetrahedra are on
+/// the same side or on different sides of the surface are taken one by one, the surest first, and
+/// left out where they contradict those before: on either side of a sheet vertex, along its normal,
+/// it is different; next to a neighbor on the sheet it is the same; so it is in the two spaces
+/// beside a crease; across facets it is the same, the most open first.
+Labelling label_tetrahedra(const Delaunay& delaunay, const MeshSamples& samples,
+                           const CreaseSides& sides, const Job& job = {});
+
+}  // namespace spigolo

@@ -1,0 +1,105 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/mesh/mesher.cpp - choose vertices, connect them, tell inside from outside, read the
+// surface
+#include "spigolo/mesh/mesher.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+#include "spigolo/core/error.h"
+#include "spigolo/mesh/delaunay.h"
+#include "spigolo/mesh/label.h"
+#include "spigolo/mesh/sides.h"
+
+namespace spigolo {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+constexpr double jitter_steps = 1e-3;  // what breaks ties between lattice points
+constexpr double least_jitter = 2;     // [grid units]
+constexpr int split_rounds = 4;
+
+Delaunay connect(const MeshSamples& samples, const Job& job) {
+  const Grid grid = make_grid(bounding_box(samples.position));
+  const double jitter = std::max(least_jitter, jitter_steps * samples.step * grid.scale);
+  std::vector<GridPoint> points(samples.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] = grid.place(samples.position[i], jitter, i);
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  Delaunay delaunay;
+  delaunay.insert(points, order, job);
+  return delaunay;
+}
+
+// Segments that are no edges of the tetrahedra.
+std::vector<std::size_t> missing_segments(const Delaunay& delaunay, const MeshSamples& samples) {
+  std::vector<std::size_t> missing;
+  std::vector<std::uint32_t> scratch;
+  for (std::size_t s = 0; s < samples.creases.size(); ++s) {
+    const std::uint32_t a = samples.creases[s][0] + Delaunay::helpers,
+                        b = samples.creases[s][1] + Delaunay::helpers;
+    if (!delaunay.has(a) || !delaunay.has(b)) continue;
+    delaunay.around(a, b, scratch);
+    if (scratch.empty()) missing.push_back(s);
+  }
+  return missing;
+}
+
+std::vector<Triangle> boundary(const Delaunay& delaunay, const Labelling& labels) {
+  std::vector<Triangle> triangles;
+  const auto tets = delaunay.tetrahedra();
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    if (!tets[t].alive() || !labels.inside[t]) continue;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::uint32_t n = tets[t].neighbor[i];
+      if (n == no_index || labels.inside[n]) continue;
+      Triangle corners;
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = tets[t].v[facet_corners[i][k]];
+      if (*std::min_element(corners.begin(), corners.end()) < Delaunay::helpers) continue;
+      for (std::uint32_t& v : corners) v -= Delaunay::helpers;
+      triangles.push_back(corners);
+    }
+  }
+  return triangles;
+}
+
+}  // namespace
+
+SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network, double spacing,
+                     const MesherOptions& options, const Job& job) {
+  if (!(options.edge_length >= 0.3) || !(spacing > 0))
+    throw UsageError("the edge length of a mesh is at least 0.3 spacings");
+  const auto start = Clock::now();
+  SharpMesh result;
+  MeshSamples samples = choose_samples(surface, network, spacing * options.edge_length, job);
+  if (samples.size() < 4) throw NoResultError("fewer than four points on a surface: no mesh");
+  Delaunay delaunay = connect(samples, job);
+  for (int round = 0; round < split_rounds; ++round) {
+    const auto missing = missing_segments(delaunay, samples);
+    if (missing.empty()) break;
+    split_creases(samples, missing);
+    delaunay = connect(samples, job);
+  }
+  result.seconds_tetrahedra = since(start);
+  const CreaseSides sides = find_crease_sides(samples, job);
+  const Labelling labels = label_tetrahedra(delaunay, samples, sides, job);
+  result.seconds_label = since(start) - result.seconds_tetrahedra;
+  result.mesh.triangles = boundary(delaunay, labels);
+  result.mesh.vertices.points = samples.position;
+  result.creases = samples.creases;
+  result.curve = samples.curve;
+  result.check = check_mesh(result.mesh, result.creases, job);
+  result.seconds_total = since(start);
+  return result;
+}
+
+}  // namespace spigolo

@@ -1,0 +1,37 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/mesh/mesher.h - points, normals and creases become a sharp, watertight triangle mesh
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "spigolo/core/feature_curves.h"
+#include "spigolo/core/job.h"
+#include "spigolo/core/triangle_mesh.h"
+#include "spigolo/mesh/check.h"
+#include "spigolo/mesh/samples.h"
+
+namespace spigolo {
+
+struct MesherOptions {
+  double edge_length = 1;  // [spacings] aimed at; at least .3
+};
+
+struct SharpMesh {
+  TriangleMesh mesh;                // outside is counterclockwise; vertices on creases first
+  std::vector<VertexPair> creases;  // segments that were to be edges, as vertices of the mesh
+  std::vector<std::int32_t> curve;  // per segment, its curve in the network
+  MeshCheck check;
+  std::size_t unused_points = 0;  // samples that are no vertex of the mesh
+  double seconds_tetrahedra = 0, seconds_label = 0, seconds_total = 0;
+};
+
+/// surface: points of every sheet, about `spacing` apart, in canonical order, with normals of any
+/// sign. network: the creases; where some are missing the mesh rounds them. Throws UsageError for
+/// options out of range, NoResultError if there is nothing to mesh, Cancelled.
+SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network, double spacing,
+                     const MesherOptions& options = {}, const Job& job = {});
+
+}  // namespace spigolo

@@ -1,0 +1,45 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/mesh/samples.h - the vertices of a mesh to be: creases sampled evenly, sheets thinned
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "spigolo/core/feature_curves.h"
+#include "spigolo/core/job.h"
+#include "spigolo/mesh/check.h"
+
+namespace spigolo {
+
+/// Points on a piecewise smooth surface, with the normals of their sheets.
+struct SurfacePoints {
+  std::vector<Vec3> position;
+  std::vector<Vec3> normal;  // unit, sign arbitrary; zero: not known, the point is left out
+};
+
+/// Vertices in one canonical order: those on creases first, then those on sheets.
+struct MeshSamples {
+  std::vector<Vec3> position;
+  std::vector<Vec3> normal;         // unit, sign arbitrary; zero on creases
+  std::vector<VertexPair> creases;  // segments of the crease curves
+  std::vector<std::int32_t> curve;  // per segment, the curve it belongs to
+  std::size_t on_creases = 0;       // how many vertices come before those of the sheets
+  double step = 1;                  // edge length aimed at
+
+  std::size_t size() const { return position.size(); }
+  bool on_crease(std::size_t v) const { return v < on_creases; }
+};
+
+/// Creases (not borders) are cut into equal steps from corner to corner, each as near to `step` as
+/// can be. Of the surface points, in the order given, those are taken that are not nearer than .7
+/// steps to one taken before on the same sheet, nor than .62 steps to a crease.
+MeshSamples choose_samples(const SurfacePoints& surface, const FeatureCurves& network, double step,
+                           const Job& job = {});
+
+/// Cuts crease segments in half, at the middle of their chord. which: places in creases, ascending.
+void split_creases(MeshSamples& samples, std::span<const std::size_t> which);
+
+}  // namespace spigolo

@@ -74,13 +74,17 @@ std::vector<Triangle> boundary(const Delaunay& delaunay, const Labelling& labels
 
 }  // namespace
 
-SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network, double spacing,
+SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
                      const MesherOptions& options, const Job& job) {
-  if (!(options.edge_length >= 0.3) || !(spacing > 0))
-    throw UsageError("the edge length of a mesh is at least 0.3 spacings");
+  if (!(options.edge_length >= 0.3) || !(options.chord_error >= 0))
+    throw UsageError("the edge length of a mesh is at least 0.3 spacings, the chord error 0");
+  if (!(surface.spacing > 0)) throw UsageError("the spacing of the points to mesh is not positive");
   const auto start = Clock::now();
   SharpMesh result;
-  MeshSamples samples = choose_samples(surface, network, spacing * options.edge_length, job);
+  const EdgeLength edge{surface.spacing * options.edge_length,
+                        surface.spacing * options.chord_error};
+  MeshSamples samples = choose_samples(surface, network, edge, job);
+  result.seconds_samples = since(start);
   if (samples.size() < 4) throw NoResultError("fewer than four points on a surface: no mesh");
   Delaunay delaunay = connect(samples, job);
   for (int round = 0; round < split_rounds; ++round) {
@@ -89,10 +93,10 @@ SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
     split_creases(samples, missing);
     delaunay = connect(samples, job);
   }
-  result.seconds_tetrahedra = since(start);
+  result.seconds_tetrahedra = since(start) - result.seconds_samples;
   const CreaseSides sides = find_crease_sides(samples, job);
   const Labelling labels = label_tetrahedra(delaunay, samples, sides, job);
-  result.seconds_label = since(start) - result.seconds_tetrahedra;
+  result.seconds_label = since(start) - result.seconds_tetrahedra - result.seconds_samples;
   result.mesh.triangles = boundary(delaunay, labels);
   result.mesh.vertices.points = samples.position;
   result.creases = samples.creases;

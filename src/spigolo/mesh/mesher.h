@@ -16,7 +16,9 @@
 namespace spigolo {
 
 struct MesherOptions {
-  double edge_length = 1;  // [spacings] aimed at; at least .3
+  double edge_length = 1;       // [spacings] aimed at; at least .3
+  double chord_error = 0.0025;  // [spacings] edges are shorter where they would leave a curved
+                                // surface by more; 0: edges of one length everywhere
 };
 
 struct SharpMesh {
@@ -25,13 +27,13 @@ struct SharpMesh {
   std::vector<std::int32_t> curve;  // per segment, its curve in the network
   MeshCheck check;
   std::size_t unused_points = 0;  // samples that are no vertex of the mesh
-  double seconds_tetrahedra = 0, seconds_label = 0, seconds_total = 0;
+  double seconds_samples = 0, seconds_tetrahedra = 0, seconds_label = 0, seconds_total = 0;
 };
 
-/// surface: points of every sheet, about `spacing` apart, in canonical order, with normals of any
-/// sign. network: the creases; where some are missing the mesh rounds them. Throws UsageError for
-/// options out of range, NoResultError if there is nothing to mesh, Cancelled.
-SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network, double spacing,
+/// surface: about a spacing apart. network: the creases; where some are missing the mesh rounds
+/// them. Throws UsageError for options out of range, NoResultError if there is nothing to mesh,
+/// Cancelled.
+SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
                      const MesherOptions& options = {}, const Job& job = {});
 
 }  // namespace spigolo

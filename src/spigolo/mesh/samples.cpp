@@ -1,89 +1,28 @@
 // Copyright 2026 The spigolo authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// spigolo/mesh/samples.cpp
+// spigolo/mesh/samples.cpp - sheets thinned to the edge length, their gaps filled
 #include "spigolo/mesh/samples.h"
 
 #include <algorithm>
 
+#include "spigolo/core/parallel.h"
 #include "spigolo/mesh/point_cells.h"
 
 namespace spigolo {
 namespace {
 
-constexpr double sheet_distance = 0.7;    // [steps] no two vertices of a sheet are closer
-constexpr double crease_distance = 0.62;  // [steps] free of sheet vertices around a crease: keeps
-                                          // the ball over each segment, of radius .5, empty
-
-// The place at arc length s of a polyline; at[i] is the arc length of its point i.
-Vec3 point_at(const std::vector<Vec3>& line, const std::vector<double>& at, double s) {
-  const auto next = std::upper_bound(at.begin(), at.end(), s);
-  const std::size_t i =
-      std::clamp<std::size_t>(static_cast<std::size_t>(next - at.begin()), 1, line.size() - 1);
-  const double length = at[i] - at[i - 1];
-  return length > 0 ? line[i - 1] + (line[i] - line[i - 1]) * ((s - at[i - 1]) / length) : line[i];
-}
-
-// Creases as vertices and segments.
-class CreaseSampler {
- public:
-  CreaseSampler(const FeatureCurves& network, MeshSamples& samples)
-      : network_(network), samples_(samples), corner_(network.corners.size(), no_index) {}
-
-  void run() {
-    for (std::size_t c = 0; c < network_.curves.size(); ++c)
-      if (network_.curves[c].kind == CurveKind::edge)
-        sample(network_.curves[c], static_cast<std::int32_t>(c));
-  }
-
- private:
-  std::uint32_t add(const Vec3& p) {
-    samples_.position.push_back(p);
-    samples_.normal.emplace_back();
-    return static_cast<std::uint32_t>(samples_.position.size() - 1);
-  }
-
-  std::uint32_t end_vertex(const FeatureCurve& curve, std::size_t end) {
-    const Vec3& p = end == 0 || curve.closed ? curve.points.front() : curve.points.back();
-    const std::int32_t c = curve.corner[end];
-    if (c == no_corner) return add(p);
-    std::uint32_t& v = corner_[static_cast<std::size_t>(c)];
-    if (v == no_index) v = add(p);
-    return v;
-  }
-
-  void sample(const FeatureCurve& curve, std::int32_t number) {
-    std::vector<Vec3> line = curve.points;
-    if (curve.closed) line.push_back(line.front());
-    std::vector<double> at(line.size(), 0);
-    for (std::size_t i = 1; i < line.size(); ++i)
-      at[i] = at[i - 1] + distance(line[i - 1], line[i]);
-    const double length = at.back();
-    if (!(length > 0)) return;
-    const bool loop =
-        curve.closed || (curve.corner[0] != no_corner && curve.corner[0] == curve.corner[1]);
-    const auto pieces = std::max(loop ? 3LL : 1LL, std::llround(length / samples_.step));
-    const std::uint32_t first = end_vertex(curve, 0);
-    std::uint32_t before = first;
-    for (long long i = 1; i < pieces; ++i) {
-      const double share = static_cast<double>(i) / static_cast<double>(pieces);
-      const std::uint32_t v = add(point_at(line, at, share * length));
-      join(before, v, number);
-      before = v;
-    }
-    join(before, curve.closed ? first : end_vertex(curve, 1), number);
-  }
-
-  void join(std::uint32_t a, std::uint32_t b, std::int32_t number) {
-    if (a == b) return;
-    samples_.creases.push_back({a, b});
-    samples_.curve.push_back(number);
-  }
-
-  const FeatureCurves& network_;
-  MeshSamples& samples_;
-  std::vector<std::uint32_t> corner_;  // per corner its vertex
-};
+constexpr double sheet_distance = 0.7;      // [edges] no two vertices of a sheet are closer
+constexpr double crease_distance = 0.62;    // [steps] free of sheet vertices around a crease: keeps
+                                            // the ball over each segment, of radius .5, empty
+constexpr double neighbor_distance = 1.6;   // [edges] neighbors farther away leave a gap
+const double widest_gap = radians(80);      // between the directions of neighbors
+constexpr double candidate_distance = 0.9;  // [edges] from the vertex beside the gap
+constexpr double support_radius = 2.6;      // [spacings] surface points must lie in here ...
+constexpr std::size_t least_support = 5;    // ... at least so many ...
+const double widest_support_gap = radians(140);  // ... and all around
+constexpr int most_rounds = 16;
+constexpr std::size_t grain = 1024;
 
 // On one sheet: the step from one to the other does not leave it.
 bool same_sheet(const Vec3& p, const Vec3& n, const Vec3& q, const Vec3& m) {
@@ -92,54 +31,184 @@ bool same_sheet(const Vec3& p, const Vec3& n, const Vec3& q, const Vec3& m) {
   return std::abs(dot(n, m)) > 0.5 && across <= 0.6 * norm(d);
 }
 
+// Directions around a place, as angles about its normal.
+class Compass {
+ public:
+  explicit Compass(const Vec3& normal) : x_(any_perpendicular(normal)), y_(cross(normal, x_)) {}
+  void add(const Vec3& d) { angles_.push_back(std::atan2(dot(d, y_), dot(d, x_))); }
+  std::size_t count() const { return angles_.size(); }
+  Vec3 direction(double angle) const { return std::cos(angle) * x_ + std::sin(angle) * y_; }
+
+  /// Calls visit(begin, width) for every gap between neighboring directions wider than `least`.
+  template <class Visit>
+  void gaps(double least, const Visit& visit) {
+    std::sort(angles_.begin(), angles_.end());
+    if (angles_.empty()) visit(0.0, 2 * pi);
+    for (std::size_t i = 0; i < angles_.size(); ++i) {
+      const bool last = i + 1 == angles_.size();
+      const double width = (last ? angles_[0] + 2 * pi : angles_[i + 1]) - angles_[i];
+      if (width > least) visit(angles_[i], width);
+    }
+  }
+
+ private:
+  Vec3 x_, y_;
+  std::vector<double> angles_;
+};
+
+class SheetSampler {
+ public:
+  SheetSampler(const SurfacePoints& surface, const EdgeLength& edge, MeshSamples& samples,
+               const Job& job)
+      : surface_(surface),
+        edge_(edge),
+        samples_(samples),
+        job_(job),
+        creases_(edge.step, 2 * samples.creases.size()),
+        taken_(1.2 * edge.step, surface.points.size()),
+        cloud_(surface.spacing, surface.points.size()) {
+    for (const Vec3& p : samples.position) creases_.insert(p);
+    for (const auto& [a, b] : samples.creases)
+      creases_.insert((samples.position[a] + samples.position[b]) * 0.5);
+    for (const SurfaceFoot& foot : surface.points) cloud_.insert(foot.position);
+  }
+
+  void run() {
+    for (std::size_t i = 0; i < surface_.points.size(); ++i) {
+      if (i % 65536 == 0) job_.check();
+      take(surface_.points[i], false);
+    }
+    std::size_t begin = samples_.on_creases;
+    for (int round = 0; round < most_rounds && begin < samples_.size(); ++round) {
+      const std::size_t end = samples_.size();
+      for (const SurfaceFoot& foot : find_candidates(begin, end)) take(foot, true);
+      begin = end;
+    }
+  }
+
+ private:
+  double length_at(double curvature) const {
+    if (!(edge_.chord_error > 0) || !(curvature > 0)) return edge_.step;
+    return std::clamp(std::sqrt(8 * edge_.chord_error / curvature), edge_.shortest * edge_.step,
+                      edge_.step);
+  }
+
+  void take(const SurfaceFoot& foot, bool between) {
+    if (!is_finite(foot.position) || !foot.valid()) return;
+    const double length = length_at(foot.curvature);
+    if (near_crease(foot.position)) return;
+    const auto close = [&](std::uint32_t j, double) {
+      const std::size_t v = samples_.on_creases + j;
+      return same_sheet(foot.position, foot.normal, samples_.position[v], samples_.normal[v]);
+    };
+    // a sample is worth more than a point between samples: it may stay on a finer mesh
+    const double r = sheet_distance * (between ? length : std::min(edge_.step, 1.2 * length));
+    if (taken_.any_within(foot.position, r, close)) return;
+    taken_.insert(foot.position);
+    samples_.position.push_back(foot.position);
+    samples_.normal.push_back(foot.normal);
+    length_.push_back(length);
+  }
+
+  bool near_crease(const Vec3& p) const {
+    const auto found = [](std::uint32_t, double) { return true; };
+    return creases_.any_within(p, crease_distance * edge_.step, found);
+  }
+
+  std::vector<SurfaceFoot> find_candidates(std::size_t begin, std::size_t end) const {
+    std::vector<std::vector<SurfaceFoot>> found((end - begin) / grain + 1);
+    parallel_for(job_, "vertices", end - begin, grain, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i) beside(begin + i, found[from / grain]);
+    });
+    std::vector<SurfaceFoot> all;
+    for (const auto& list : found) all.insert(all.end(), list.begin(), list.end());
+    return all;
+  }
+
+  // Points in the gaps around a vertex.
+  void beside(std::size_t v, std::vector<SurfaceFoot>& out) const {
+    const Vec3 &p = samples_.position[v], &n = samples_.normal[v];
+    const double length = length_[v - samples_.on_creases];
+    Compass compass(n);
+    taken_.any_within(p, neighbor_distance * length, [&](std::uint32_t j, double squared) {
+      const std::size_t w = samples_.on_creases + j;
+      if (squared > 0 && same_sheet(p, n, samples_.position[w], samples_.normal[w]))
+        compass.add(samples_.position[w] - p);
+      return false;
+    });
+    add_creases(p, n, std::max(neighbor_distance * length, 1.3 * edge_.step), compass);
+    compass.gaps(widest_gap, [&](double angle, double width) {
+      const int pieces = std::max(2, static_cast<int>(std::round(width / radians(60))));
+      for (int k = 1; k < pieces; ++k) {
+        const double a = angle + width * k / pieces;
+        const SurfaceFoot foot =
+            on_surface(p + candidate_distance * length * compass.direction(a), n);
+        if (foot.valid() && !near_crease(foot.position) && supported(foot)) out.push_back(foot);
+      }
+    });
+  }
+
+  void add_creases(const Vec3& p, const Vec3& n, double r, Compass& compass) const {
+    creases_.any_within(p, r, [&](std::uint32_t j, double squared) {
+      const Vec3 d = creases_.points()[j] - p;
+      if (std::abs(dot(d, n)) < 0.4 * std::sqrt(squared)) compass.add(d);
+      return false;
+    });
+  }
+
+  // The sheet of the nearest surface point of about that normal, continued to the query.
+  SurfaceFoot on_surface(const Vec3& query, const Vec3& normal) const {
+    double best = infinity;
+    std::uint32_t nearest = no_index;
+    cloud_.any_within(query, 2 * surface_.spacing, [&](std::uint32_t j, double squared) {
+      const SurfaceFoot& foot = surface_.points[j];
+      if (squared < best && foot.valid() && std::abs(dot(foot.normal, normal)) > 0.6)
+        best = squared, nearest = j;
+      return false;
+    });
+    if (nearest == no_index) return {};
+    if (surface_.continued) {
+      const SurfaceFoot foot = surface_.continued(nearest, query);
+      const bool sound = squared_distance(foot.position, query) < 0.25 * edge_.step * edge_.step;
+      return sound ? foot : SurfaceFoot{};
+    }
+    SurfaceFoot foot = surface_.points[nearest];
+    foot.position = query - dot(query - foot.position, foot.normal) * foot.normal;
+    return foot;
+  }
+
+  // Surface points of the sheet lie all around: it does not end here.
+  bool supported(const SurfaceFoot& foot) const {
+    Compass compass(foot.normal);
+    const double r = support_radius * surface_.spacing;
+    cloud_.any_within(foot.position, r, [&](std::uint32_t j, double) {
+      const SurfaceFoot& s = surface_.points[j];
+      if (s.valid() && same_sheet(foot.position, foot.normal, s.position, s.normal))
+        compass.add(s.position - foot.position);
+      return false;
+    });
+    const bool enough = compass.count() >= least_support;
+    add_creases(foot.position, foot.normal, std::max(r, 1.3 * edge_.step), compass);
+    bool open = false;
+    compass.gaps(widest_support_gap, [&](double, double) { open = true; });
+    return enough && !open;
+  }
+
+  const SurfacePoints& surface_;
+  const EdgeLength edge_;
+  MeshSamples& samples_;
+  const Job& job_;
+  PointCells creases_, taken_, cloud_;
+  std::vector<double> length_;  // per sheet vertex, the edge length aimed at
+};
+
 }  // namespace
 
-MeshSamples choose_samples(const SurfacePoints& surface, const FeatureCurves& network, double step,
-                           const Job& job) {
-  MeshSamples samples;
-  samples.step = step;
-  CreaseSampler(network, samples).run();
-  samples.on_creases = samples.size();
-  PointCells creases(step, 2 * samples.creases.size());
-  for (const Vec3& p : samples.position) creases.insert(p);
-  for (const auto& [a, b] : samples.creases)
-    creases.insert((samples.position[a] + samples.position[b]) * 0.5);
-
-  const double r = sheet_distance * step;
-  PointCells taken(r, surface.position.size());
-  const auto found = [](std::uint32_t, double) { return true; };
-  for (std::size_t i = 0; i < surface.position.size(); ++i) {
-    if (i % 65536 == 0) job.check();
-    const Vec3 &p = surface.position[i], &n = surface.normal[i];
-    if (!is_finite(p) || !(squared_norm(n) > 0)) continue;
-    if (creases.any_within(p, crease_distance * step, found)) continue;
-    const auto close = [&](std::uint32_t j, double) {
-      const std::size_t v = samples.on_creases + j;
-      return same_sheet(p, n, samples.position[v], samples.normal[v]);
-    };
-    if (taken.any_within(p, r, close)) continue;
-    taken.insert(p);
-    samples.position.push_back(p);
-    samples.normal.push_back(n);
-  }
+MeshSamples choose_samples(const SurfacePoints& surface, const FeatureCurves& network,
+                           const EdgeLength& edge, const Job& job) {
+  MeshSamples samples = sample_creases(network, edge.step);
+  SheetSampler(surface, edge, samples, job).run();
   return samples;
-}
-
-void split_creases(MeshSamples& samples, std::span<const std::size_t> which) {
-  const std::size_t old = samples.on_creases;
-  std::vector<Vec3> middle;
-  for (const std::size_t s : which) {
-    const auto [a, b] = samples.creases[s];
-    middle.push_back((samples.position[a] + samples.position[b]) * 0.5);
-    const auto v = static_cast<std::uint32_t>(old + middle.size() - 1);
-    samples.creases[s] = {a, v};
-    samples.creases.push_back({v, b});
-    samples.curve.push_back(samples.curve[s]);
-  }
-  const auto at = static_cast<std::ptrdiff_t>(old);
-  samples.position.insert(samples.position.begin() + at, middle.begin(), middle.end());
-  samples.normal.insert(samples.normal.begin() + at, middle.size(), Vec3{});
-  samples.on_creases += middle.size();
 }
 
 }  // namespace spigolo

@@ -11,13 +11,15 @@
 #include "spigolo/core/feature_curves.h"
 #include "spigolo/core/job.h"
 #include "spigolo/mesh/check.h"
+#include "spigolo/mesh/surface_points.h"
 
 namespace spigolo {
 
-/// Points on a piecewise smooth surface, with the normals of their sheets.
-struct SurfacePoints {
-  std::vector<Vec3> position;
-  std::vector<Vec3> normal;  // unit, sign arbitrary; zero: not known, the point is left out
+/// How long the edges of a mesh are to be, in units of the points.
+struct EdgeLength {
+  double step = 1;         // on flat parts and along creases
+  double chord_error = 0;  // where edges of that length would leave the surface by more, they are
+  double shortest = 0.35;  // shorter, down to this share of the step; 0: everywhere one length
 };
 
 /// Vertices in one canonical order: those on creases first, then those on sheets.
@@ -33,11 +35,16 @@ struct MeshSamples {
   bool on_crease(std::size_t v) const { return v < on_creases; }
 };
 
-/// Creases (not borders) are cut into equal steps from corner to corner, each as near to `step` as
-/// can be. Of the surface points, in the order given, those are taken that are not nearer than .7
-/// steps to one taken before on the same sheet, nor than .62 steps to a crease.
-MeshSamples choose_samples(const SurfacePoints& surface, const FeatureCurves& network, double step,
-                           const Job& job = {});
+/// Creases (not borders) are cut into equal steps from corner to corner, each as near to the step
+/// as can be. Of the surface points, in the order given, those are taken that are not nearer than
+/// .7 edges to one taken before on the same sheet, nor than .62 steps to a crease. Then gaps
+/// between them are filled with points of the continued sheets, where surface points lie all
+/// around.
+MeshSamples choose_samples(const SurfacePoints& surface, const FeatureCurves& network,
+                           const EdgeLength& edge, const Job& job = {});
+
+/// The creases alone: first step of choose_samples.
+MeshSamples sample_creases(const FeatureCurves& network, double step);
 
 /// Cuts crease segments in half, at the middle of their chord. which: places in creases, ascending.
 void split_creases(MeshSamples& samples, std::span<const std::size_t> which);

@@ -34,6 +34,7 @@ class CreaseSampler {
   std::uint32_t add(const Vec3& p) {
     samples_.position.push_back(p);
     samples_.normal.emplace_back();
+    samples_.length.push_back(samples_.step);
     return static_cast<std::uint32_t>(samples_.position.size() - 1);
   }
 
@@ -103,6 +104,7 @@ void split_creases(MeshSamples& samples, std::span<const std::size_t> which) {
   const auto at = static_cast<std::ptrdiff_t>(old);
   samples.position.insert(samples.position.begin() + at, middle.begin(), middle.end());
   samples.normal.insert(samples.normal.begin() + at, middle.size(), Vec3{});
+  samples.length.insert(samples.length.begin() + at, middle.size(), samples.step);
   samples.on_creases += middle.size();
 }
 

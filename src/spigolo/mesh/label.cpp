@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/mesh/openness.h"
 #include "spigolo/mesh/union_find.h"
 
 namespace spigolo {
@@ -85,7 +86,9 @@ class Labeller {
     for (const std::uint32_t j : neighbors) {
       const Vec3 d = samples_.position[j] - samples_.position[i];
       const double length = norm(d), turn = dot(samples_.normal[i], samples_.normal[j]);
-      if (!(length > 0) || length > longest_neighbor * samples_.step) continue;
+      if (!(length > 0) ||
+          length > longest_neighbor * std::max(samples_.length[i], samples_.length[j]))
+        continue;
       const double doubt = 1 - std::abs(turn) + std::abs(dot(d, samples_.normal[i])) / length +
                            std::abs(dot(d, samples_.normal[j])) / length;
       if (doubt < most_doubt)
@@ -205,45 +208,6 @@ class Labeller {
 };
 
 }  // namespace
-
-double Openness::tilt(const Triangle& corners) const {
-  const Vec3 &a = samples_.position[corners[0]], &b = samples_.position[corners[1]],
-             &c = samples_.position[corners[2]];
-  const Vec3 n = normalized(cross(b - a, c - a));
-  if (!(squared_norm(n) > 0)) return half_pi;
-  double largest = 0;
-  for (const std::uint32_t v : corners) {
-    double cosine = 0;
-    if (samples_.on_crease(v)) {
-      const SideNormals& side = sides_.of_vertex[v];
-      if (side.count == 0) continue;
-      for (std::size_t i = 0; i < side.count; ++i)
-        cosine = std::max(cosine, std::abs(dot(n, side.normal[i])));
-    } else {
-      cosine = std::abs(dot(n, samples_.normal[v]));
-    }
-    largest = std::max(largest, std::acos(std::min(cosine, 1.0)));
-  }
-  return largest;
-}
-
-double Openness::length(const Triangle& corners) const {
-  const Vec3 &a = samples_.position[corners[0]], &b = samples_.position[corners[1]],
-             &c = samples_.position[corners[2]];
-  return std::sqrt(
-             std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)})) /
-         samples_.step;
-}
-
-double Openness::of(std::uint32_t tet, std::size_t facet) const {
-  Triangle corners;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint32_t v = delaunay_.tetrahedra()[tet].v[facet_corners[facet][k]];
-    if (v < Delaunay::helpers) return infinity;
-    corners[k] = v - Delaunay::helpers;
-  }
-  return tilt(corners) / half_pi + std::max(0.0, length(corners) - 1) / 4;
-}
 
 Labelling label_tetrahedra(const Delaunay& delaunay, const MeshSamples& samples,
                            const CreaseSides& sides, const Job& job) {

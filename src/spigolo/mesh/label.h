@@ -14,26 +14,6 @@
 
 namespace spigolo {
 
-/// How much a facet looks like empty space rather than surface: 0 along the sheets of its corners,
-/// 1 square to them; plus a quarter for each step its longest edge is longer than one.
-class Openness {
- public:
-  Openness(const Delaunay& delaunay, const MeshSamples& samples, const CreaseSides& sides)
-      : delaunay_(delaunay), samples_(samples), sides_(sides) {}
-
-  double of(std::uint32_t tet, std::size_t facet) const;
-
-  /// [rad] between the facet and the sheets of its corners, the largest; pi / 2 where it is a line.
-  double tilt(const Triangle& corners) const;
-  /// [steps] longest edge.
-  double length(const Triangle& corners) const;
-
- private:
-  const Delaunay& delaunay_;
-  const MeshSamples& samples_;
-  const CreaseSides& sides_;
-};
-
 struct Labelling {
   std::vector<std::uint8_t> inside;  // per slot of a tetrahedron
   std::size_t contradictions = 0;    // statements about the surface that could not all be true

@@ -12,6 +12,7 @@
 #include "spigolo/core/error.h"
 #include "spigolo/mesh/delaunay.h"
 #include "spigolo/mesh/label.h"
+#include "spigolo/mesh/relabel.h"
 #include "spigolo/mesh/sides.h"
 
 namespace spigolo {
@@ -54,24 +55,6 @@ std::vector<std::size_t> missing_segments(const Delaunay& delaunay, const MeshSa
   return missing;
 }
 
-std::vector<Triangle> boundary(const Delaunay& delaunay, const Labelling& labels) {
-  std::vector<Triangle> triangles;
-  const auto tets = delaunay.tetrahedra();
-  for (std::size_t t = 0; t < tets.size(); ++t) {
-    if (!tets[t].alive() || !labels.inside[t]) continue;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::uint32_t n = tets[t].neighbor[i];
-      if (n == no_index || labels.inside[n]) continue;
-      Triangle corners;
-      for (std::size_t k = 0; k < 3; ++k) corners[k] = tets[t].v[facet_corners[i][k]];
-      if (*std::min_element(corners.begin(), corners.end()) < Delaunay::helpers) continue;
-      for (std::uint32_t& v : corners) v -= Delaunay::helpers;
-      triangles.push_back(corners);
-    }
-  }
-  return triangles;
-}
-
 }  // namespace
 
 SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
@@ -95,7 +78,8 @@ SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
   }
   result.seconds_tetrahedra = since(start) - result.seconds_samples;
   const CreaseSides sides = find_crease_sides(samples, job);
-  const Labelling labels = label_tetrahedra(delaunay, samples, sides, job);
+  Labelling labels = label_tetrahedra(delaunay, samples, sides, job);
+  refine_labels(delaunay, samples, sides, labels, job);
   result.seconds_label = since(start) - result.seconds_tetrahedra - result.seconds_samples;
   result.mesh.triangles = boundary(delaunay, labels);
   result.mesh.vertices.points = samples.position;

@@ -16,9 +16,9 @@
 namespace spigolo {
 
 struct MesherOptions {
-  double edge_length = 1;       // [spacings] aimed at; at least .3
-  double chord_error = 0.0025;  // [spacings] edges are shorter where they would leave a curved
-                                // surface by more; 0: edges of one length everywhere
+  double edge_length = 1;      // [spacings] aimed at; at least .3
+  double chord_error = 0.004;  // [spacings] edges are shorter where they would leave a curved
+                               // surface by more; 0: edges of one length everywhere
 };
 
 struct SharpMesh {

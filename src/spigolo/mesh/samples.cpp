@@ -5,6 +5,8 @@
 #include "spigolo/mesh/samples.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "spigolo/core/parallel.h"
 #include "spigolo/mesh/point_cells.h"
@@ -21,6 +23,8 @@ constexpr double candidate_distance = 0.9;  // [edges] from the vertex beside th
 constexpr double support_radius = 2.6;      // [spacings] surface points must lie in here ...
 constexpr std::size_t least_support = 5;    // ... at least so many ...
 const double widest_support_gap = radians(140);  // ... and all around
+constexpr std::size_t witnesses = 4;             // sheets that are asked where a gap is filled ...
+constexpr double disagreement = 0.15;  // [spacings] ... and how far they may be from their mean
 constexpr int most_rounds = 16;
 constexpr std::size_t grain = 1024;
 
@@ -107,7 +111,7 @@ class SheetSampler {
     taken_.insert(foot.position);
     samples_.position.push_back(foot.position);
     samples_.normal.push_back(foot.normal);
-    length_.push_back(length);
+    samples_.length.push_back(length);
   }
 
   bool near_crease(const Vec3& p) const {
@@ -128,7 +132,7 @@ class SheetSampler {
   // Points in the gaps around a vertex.
   void beside(std::size_t v, std::vector<SurfaceFoot>& out) const {
     const Vec3 &p = samples_.position[v], &n = samples_.normal[v];
-    const double length = length_[v - samples_.on_creases];
+    const double length = samples_.length[v];
     Compass compass(n);
     taken_.any_within(p, neighbor_distance * length, [&](std::uint32_t j, double squared) {
       const std::size_t w = samples_.on_creases + j;
@@ -156,23 +160,42 @@ class SheetSampler {
     });
   }
 
-  // The sheet of the nearest surface point of about that normal, continued to the query.
+  // The sheets of the nearest surface points of about that normal, continued to the query: their
+  // mean where they agree.
   SurfaceFoot on_surface(const Vec3& query, const Vec3& normal) const {
-    double best = infinity;
-    std::uint32_t nearest = no_index;
+    std::array<std::pair<double, std::uint32_t>, witnesses> nearest;
+    nearest.fill({infinity, no_index});
     cloud_.any_within(query, 2 * surface_.spacing, [&](std::uint32_t j, double squared) {
       const SurfaceFoot& foot = surface_.points[j];
-      if (squared < best && foot.valid() && std::abs(dot(foot.normal, normal)) > 0.6)
-        best = squared, nearest = j;
+      if (!foot.valid() || std::abs(dot(foot.normal, normal)) < 0.6) return false;
+      std::pair<double, std::uint32_t> entry{squared, j};
+      for (auto& place : nearest)
+        if (entry < place) std::swap(entry, place);
       return false;
     });
-    if (nearest == no_index) return {};
-    if (surface_.continued) {
-      const SurfaceFoot foot = surface_.continued(nearest, query);
-      const bool sound = squared_distance(foot.position, query) < 0.25 * edge_.step * edge_.step;
-      return sound ? foot : SurfaceFoot{};
+    SurfaceFoot mean;
+    std::array<SurfaceFoot, witnesses> feet;
+    double weight = 0;
+    for (std::size_t i = 0; i < witnesses && nearest[i].second != no_index; ++i) {
+      feet[i] = continued(nearest[i].second, query);
+      if (!feet[i].valid()) return {};
+      const double w = 1 / (nearest[i].first + 0.1 * surface_.spacing * surface_.spacing);
+      mean.position += w * feet[i].position;
+      mean.normal += (dot(feet[i].normal, normal) < 0 ? -w : w) * feet[i].normal;
+      mean.curvature += w * feet[i].curvature;
+      weight += w;
     }
-    SurfaceFoot foot = surface_.points[nearest];
+    if (nearest[1].second == no_index) return {};
+    mean = {mean.position / weight, normalized(mean.normal), mean.curvature / weight};
+    for (std::size_t i = 0; i < witnesses && nearest[i].second != no_index; ++i)
+      if (distance(feet[i].position, mean.position) > disagreement * surface_.spacing) return {};
+    const bool far = distance(mean.position, query) > 0.5 * edge_.step;
+    return far ? SurfaceFoot{} : mean;
+  }
+
+  SurfaceFoot continued(std::uint32_t near, const Vec3& query) const {
+    if (surface_.continued) return surface_.continued(near, query);
+    SurfaceFoot foot = surface_.points[near];
     foot.position = query - dot(query - foot.position, foot.normal) * foot.normal;
     return foot;
   }
@@ -199,7 +222,6 @@ class SheetSampler {
   MeshSamples& samples_;
   const Job& job_;
   PointCells creases_, taken_, cloud_;
-  std::vector<double> length_;  // per sheet vertex, the edge length aimed at
 };
 
 }  // namespace

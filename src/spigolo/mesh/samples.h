@@ -19,13 +19,14 @@ namespace spigolo {
 struct EdgeLength {
   double step = 1;         // on flat parts and along creases
   double chord_error = 0;  // where edges of that length would leave the surface by more, they are
-  double shortest = 0.35;  // shorter, down to this share of the step; 0: everywhere one length
+  double shortest = 0.5;   // shorter, down to this share of the step; 0: everywhere one length
 };
 
 /// Vertices in one canonical order: those on creases first, then those on sheets.
 struct MeshSamples {
   std::vector<Vec3> position;
   std::vector<Vec3> normal;         // unit, sign arbitrary; zero on creases
+  std::vector<double> length;       // edge length aimed at around each
   std::vector<VertexPair> creases;  // segments of the crease curves
   std::vector<std::int32_t> curve;  // per segment, the curve it belongs to
   std::size_t on_creases = 0;       // how many vertices come before those of the sheets

@@ -6,6 +6,7 @@
 
 #include "spigolo/detect/detect.h"
 #include "spigolo/index/prepared_cloud.h"
+#include "spigolo/sheets/sheet_model.h"
 
 namespace spigolo {
 
@@ -17,5 +18,9 @@ Features features_by_gauss_map(const PreparedCloud& prepared, const DetectOption
 /// The sheet model. May widen the neighborhoods: noise asks for more of them.
 Features features_by_sheets(PreparedCloud& prepared, const DetectOptions& options, const Job& job,
                             Detection& result);
+
+/// The verdicts of a sheet model as labels, in canonical order, crease points relative to the
+/// cloud's origin.
+Features features_of_model(const SheetModel& model);
 
 }  // namespace spigolo

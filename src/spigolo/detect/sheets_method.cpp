@@ -9,9 +9,8 @@
 #include "spigolo/sheets/sheet_model.h"
 
 namespace spigolo {
-namespace {
-
-Features as_features(const std::vector<SheetVerdict>& verdicts) {
+Features features_of_model(const SheetModel& model) {
+  const std::vector<SheetVerdict>& verdicts = model.verdicts;
   Features features;
   features.assign_surface(verdicts.size());
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
@@ -29,8 +28,6 @@ Features as_features(const std::vector<SheetVerdict>& verdicts) {
   return features;
 }
 
-}  // namespace
-
 Features features_by_sheets(PreparedCloud& prepared, const DetectOptions& options, const Job& job,
                             Detection& result) {
   SheetModel model = build_sheet_model(std::move(prepared), {options.sensitivity}, job);
@@ -39,7 +36,7 @@ Features features_by_sheets(PreparedCloud& prepared, const DetectOptions& option
   result.candidates = static_cast<std::size_t>(
       std::count_if(model.verdicts.begin(), model.verdicts.end(),
                     [](const SheetVerdict& v) { return v.kind != PointKind::surface; }));
-  return as_features(model.verdicts);
+  return features_of_model(model);
 }
 
 }  // namespace spigolo

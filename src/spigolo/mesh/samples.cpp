@@ -5,7 +5,6 @@
 #include "spigolo/mesh/samples.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "spigolo/core/parallel.h"
@@ -23,8 +22,6 @@ constexpr double candidate_distance = 0.9;  // [edges] from the vertex beside th
 constexpr double support_radius = 2.6;      // [spacings] surface points must lie in here ...
 constexpr std::size_t least_support = 5;    // ... at least so many ...
 const double widest_support_gap = radians(140);  // ... and all around
-constexpr std::size_t witnesses = 4;             // sheets that are asked where a gap is filled ...
-constexpr double disagreement = 0.15;  // [spacings] ... and how far they may be from their mean
 constexpr int most_rounds = 16;
 constexpr std::size_t grain = 1024;
 
@@ -122,7 +119,8 @@ class SheetSampler {
   std::vector<SurfaceFoot> find_candidates(std::size_t begin, std::size_t end) const {
     std::vector<std::vector<SurfaceFoot>> found((end - begin) / grain + 1);
     parallel_for(job_, "vertices", end - begin, grain, [&](std::size_t from, std::size_t to) {
-      for (std::size_t i = from; i < to; ++i) beside(begin + i, found[from / grain]);
+      const SurfaceProbe probe = surface_.make_probe ? surface_.make_probe() : SurfaceProbe();
+      for (std::size_t i = from; i < to; ++i) beside(begin + i, probe, found[from / grain]);
     });
     std::vector<SurfaceFoot> all;
     for (const auto& list : found) all.insert(all.end(), list.begin(), list.end());
@@ -130,7 +128,7 @@ class SheetSampler {
   }
 
   // Points in the gaps around a vertex.
-  void beside(std::size_t v, std::vector<SurfaceFoot>& out) const {
+  void beside(std::size_t v, const SurfaceProbe& probe, std::vector<SurfaceFoot>& out) const {
     const Vec3 &p = samples_.position[v], &n = samples_.normal[v];
     const double length = samples_.length[v];
     Compass compass(n);
@@ -145,8 +143,8 @@ class SheetSampler {
       const int pieces = std::max(2, static_cast<int>(std::round(width / radians(60))));
       for (int k = 1; k < pieces; ++k) {
         const double a = angle + width * k / pieces;
-        const SurfaceFoot foot =
-            on_surface(p + candidate_distance * length * compass.direction(a), n);
+        const Vec3 query = p + candidate_distance * length * compass.direction(a);
+        const SurfaceFoot foot = on_surface(query, n, probe);
         if (foot.valid() && !near_crease(foot.position) && supported(foot)) out.push_back(foot);
       }
     });
@@ -160,42 +158,25 @@ class SheetSampler {
     });
   }
 
-  // The sheets of the nearest surface points of about that normal, continued to the query: their
-  // mean where they agree.
-  SurfaceFoot on_surface(const Vec3& query, const Vec3& normal) const {
-    std::array<std::pair<double, std::uint32_t>, witnesses> nearest;
-    nearest.fill({infinity, no_index});
-    cloud_.any_within(query, 2 * surface_.spacing, [&](std::uint32_t j, double squared) {
-      const SurfaceFoot& foot = surface_.points[j];
-      if (!foot.valid() || std::abs(dot(foot.normal, normal)) < 0.6) return false;
-      std::pair<double, std::uint32_t> entry{squared, j};
-      for (auto& place : nearest)
-        if (entry < place) std::swap(entry, place);
-      return false;
-    });
-    SurfaceFoot mean;
-    std::array<SurfaceFoot, witnesses> feet;
-    double weight = 0;
-    for (std::size_t i = 0; i < witnesses && nearest[i].second != no_index; ++i) {
-      feet[i] = continued(nearest[i].second, query);
-      if (!feet[i].valid()) return {};
-      const double w = 1 / (nearest[i].first + 0.1 * surface_.spacing * surface_.spacing);
-      mean.position += w * feet[i].position;
-      mean.normal += (dot(feet[i].normal, normal) < 0 ? -w : w) * feet[i].normal;
-      mean.curvature += w * feet[i].curvature;
-      weight += w;
-    }
-    if (nearest[1].second == no_index) return {};
-    mean = {mean.position / weight, normalized(mean.normal), mean.curvature / weight};
-    for (std::size_t i = 0; i < witnesses && nearest[i].second != no_index; ++i)
-      if (distance(feet[i].position, mean.position) > disagreement * surface_.spacing) return {};
-    const bool far = distance(mean.position, query) > 0.5 * edge_.step;
-    return far ? SurfaceFoot{} : mean;
+  // Where the sheet goes on, if it has no crease or jump on the way.
+  SurfaceFoot on_surface(const Vec3& query, const Vec3& normal, const SurfaceProbe& probe) const {
+    const SurfaceFoot foot = probe ? probe(query, normal) : on_plane(query, normal);
+    const bool sound = foot.valid() && std::abs(dot(foot.normal, normal)) > 0.5 &&
+                       distance(foot.position, query) < 0.5 * edge_.step;
+    return sound ? foot : SurfaceFoot{};
   }
 
-  SurfaceFoot continued(std::uint32_t near, const Vec3& query) const {
-    if (surface_.continued) return surface_.continued(near, query);
-    SurfaceFoot foot = surface_.points[near];
+  // The plane of the nearest surface point of about that normal.
+  SurfaceFoot on_plane(const Vec3& query, const Vec3& normal) const {
+    std::pair<double, std::uint32_t> nearest{infinity, no_index};
+    cloud_.any_within(query, 2 * surface_.spacing, [&](std::uint32_t j, double squared) {
+      const SurfaceFoot& foot = surface_.points[j];
+      if (foot.valid() && std::abs(dot(foot.normal, normal)) > 0.6)
+        nearest = std::min(nearest, {squared, j});
+      return false;
+    });
+    if (nearest.second == no_index) return {};
+    SurfaceFoot foot = surface_.points[nearest.second];
     foot.position = query - dot(query - foot.position, foot.normal) * foot.normal;
     return foot;
   }

@@ -22,14 +22,17 @@ struct SurfaceFoot {
   bool valid() const { return squared_norm(normal) > 0; }
 };
 
+using SurfaceProbe = std::function<SurfaceFoot(const Vec3& query, const Vec3& normal)>;
+
 /// Points of every sheet, in one canonical order.
 struct SurfacePoints {
   std::vector<SurfaceFoot> points;
   double spacing = 1;  // of the cloud they come from
 
-  /// The sheet of point `near`, at a place up to two spacings from it; called by several threads.
-  /// Empty: it is flat there.
-  std::function<SurfaceFoot(std::uint32_t near, const Vec3& query)> continued;
+  /// Makes a function that finds the surface near a place, for one thread; the place is about a
+  /// spacing away from samples, `normal` that of a sheet near it. Empty: sheets are flat between
+  /// their points.
+  std::function<SurfaceProbe()> make_probe;
 };
 
 }  // namespace spigolo

@@ -1,0 +1,175 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/pipeline/mesh.cpp - order and neighbors, creases, points on their sheets, triangles
+#include "spigolo/pipeline/mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <utility>
+
+#include "spigolo/core/error.h"
+#include "spigolo/core/parallel.h"
+#include "spigolo/detect/methods.h"
+#include "spigolo/mls/sharp.h"
+#include "spigolo/trace/trace.h"
+
+namespace spigolo {
+namespace {
+
+constexpr std::size_t grain = 256;
+constexpr std::size_t prepared_k = 20;  // neighbors that spacing, noise and labels start from
+constexpr double lone = 2.5;            // times the spacing of its neighbors: a flying point
+constexpr std::size_t lone_neighbors = 9;
+constexpr double farthest_move = 1.0;  // [spacings] a point moved farther is on no sheet ...
+constexpr double move_by_noise = 4;    // ... plus so many times the noise
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+std::vector<Vec3> in_input_units(const OrderedCloud& cloud) {
+  std::vector<Vec3> points(cloud.points);
+  for (Vec3& p : points) p += cloud.origin;
+  return points;
+}
+
+// Labels in canonical order: given ones, or those of the model.
+Features ordered_features(const SheetModel& model, const Features* given) {
+  Features features = features_of_model(model);
+  const OrderedCloud& cloud = model.prepared.cloud;
+  for (Vec3& p : features.crease_point) p += cloud.origin;
+  if (given == nullptr) return features;
+  if (given->size() != cloud.rank.size())
+    throw UsageError("there are labels for " + std::to_string(given->size()) +
+                     " points, but the cloud has " + std::to_string(cloud.rank.size()));
+  for (std::size_t i = 0; i < given->size(); ++i) {
+    const std::uint32_t r = cloud.rank[i];
+    if (r == no_point) continue;
+    features.kind[r] = given->kind[i], features.angle[r] = given->angle[i];
+    features.strength[r] = given->strength[i], features.convex[r] = given->convex[i];
+    features.crease_point[r] = given->crease_point[i];
+    features.direction[r] = given->direction[i], features.sheets[r] = given->sheets[i];
+  }
+  return features;
+}
+
+FeatureCurves find_network(const SheetModel& model, std::span<const Vec3> points,
+                           const MeshOptions& options, const Job& job) {
+  if (options.network != nullptr) return *options.network;
+  if (options.method == SmoothMethod::plain) return {};
+  TraceOptions trace;
+  trace.spacing = model.prepared.spacing.of_cloud;
+  trace.noise = model.prepared.noise;
+  return trace_features(points, ordered_features(model, options.features), trace, job).network;
+}
+
+// Far from its neighbors, which are near each other.
+bool is_lone(const PreparedCloud& prepared, std::size_t i) {
+  const auto row = prepared.neighborhoods.of(i);
+  const std::size_t n = std::min(row.size(), lone_neighbors);
+  std::array<double, lone_neighbors> spacing{};
+  for (std::size_t k = 0; k < n; ++k) spacing[k] = prepared.spacing.of_point[row[k]];
+  std::nth_element(spacing.begin(), spacing.begin() + n / 2, spacing.begin() + n);
+  return n > 0 && prepared.spacing.of_point[i] > lone * spacing[n / 2];
+}
+
+double bend(const std::array<double, 2>& curvature) {
+  return std::max(std::abs(curvature[0]), std::abs(curvature[1]));
+}
+
+SurfaceFoot as_foot(const SurfacePoint& s) {
+  if (s.status != SurfaceStatus::sheet) return {};  // creases have vertices of their own
+  return {s.position, s.normal, bend(s.curvature)};
+}
+
+SurfacePoints on_sheets(const SharpSurface& surface, MeshedCloud& result, const Job& job) {
+  const PreparedCloud& prepared = surface.model().prepared;
+  SurfacePoints out;
+  out.spacing = prepared.spacing.of_cloud;
+  out.points.resize(prepared.cloud.size());
+  const double farthest = out.spacing * (farthest_move + move_by_noise * prepared.noise);
+  parallel_for(job, "projection", out.points.size(), grain,
+               [&](std::size_t begin, std::size_t end) {
+                 SheetProbe probe = surface.probe();
+                 for (std::size_t i = begin; i < end; ++i) {
+                   if (is_lone(prepared, i)) continue;
+                   const Vec3 p = prepared.cloud.points[i] + prepared.cloud.origin;
+                   const SurfaceFoot foot = as_foot(project_sharp(surface, p, probe));
+                   if (foot.valid() && distance(foot.position, p) <= farthest) out.points[i] = foot;
+                 }
+               });
+  for (std::size_t i = 0; i < out.points.size(); ++i) result.outliers += is_lone(prepared, i);
+  out.make_probe = [&surface] {
+    return [&surface, probe = surface.probe()](const Vec3& query, const Vec3&) mutable {
+      return as_foot(project_sharp(surface, query, probe));
+    };
+  };
+  return out;
+}
+
+// The thesis's projections; between their points the surface is flat.
+SurfacePoints by_neighbors(std::span<const Vec3> points, const MeshOptions& options,
+                           const Job& job) {
+  SmoothOptions smoothing;
+  smoothing.method = options.method;
+  smoothing.mls = options.mls;
+  const Smoothed smoothed = smooth(points, smoothing, job);
+  SurfacePoints out;
+  out.spacing = smoothed.spacing;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool there = smoothed.status[i] == SurfaceStatus::sheet;
+    out.points.push_back(
+        there ? SurfaceFoot{smoothed.position[i], smoothed.normal[i], bend(smoothed.curvature[i])}
+              : SurfaceFoot{});
+  }
+  return out;
+}
+
+void warn(MeshedCloud& result) {
+  const auto say = [&](std::size_t n, const char* text) {
+    if (n > 0) result.warnings.push_back(std::to_string(n) + text);
+  };
+  say(result.non_finite, " points have a NaN or infinite coordinate; they are left out");
+  say(result.outliers, " points lie far from all others; they are left out");
+  const MeshCheck& check = result.sharp.check;
+  say(check.nonmanifold_edges + check.nonmanifold_vertices, " places of the mesh are not manifold");
+  say(check.self_intersections, " pairs of triangles run into each other");
+  say(check.degenerate, " triangles are degenerate");
+  say(check.crease_edges - check.crease_edges_kept, " crease edges are not edges of the mesh");
+}
+
+}  // namespace
+
+MeshedCloud mesh_cloud(std::span<const Vec3> points, const MeshOptions& options, const Job& job) {
+  Stopwatch watch;
+  MeshedCloud result;
+  PreparedCloud prepared = prepare_cloud(points, prepared_k, job);
+  result.spacing = prepared.spacing.of_cloud, result.noise = prepared.noise;
+  result.duplicates = prepared.cloud.duplicates, result.non_finite = prepared.cloud.non_finite;
+  result.seconds_index = watch.lap();
+  SheetModel model = build_sheet_model(std::move(prepared), {options.sensitivity}, job);
+  result.seconds_detect = watch.lap();
+  const std::vector<Vec3> ordered = in_input_units(model.prepared.cloud);
+  result.network = find_network(model, ordered, options, job);
+  result.seconds_lines = watch.lap();
+  const SharpSurface surface(std::move(model), options.mls, job);
+  const SurfacePoints sheets = options.method == SmoothMethod::sheets
+                                   ? on_sheets(surface, result, job)
+                                   : by_neighbors(ordered, options, job);
+  result.seconds_project = watch.lap();
+  result.sharp = build_mesh(sheets, result.network, options.mesher, job);
+  result.seconds_mesh = watch.lap();
+  warn(result);
+  return result;
+}
+
+}  // namespace spigolo

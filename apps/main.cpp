@@ -28,12 +28,13 @@ struct Verb {
   void (*run)(const Arguments&);
 };
 
-constexpr std::array<Verb, 8> verbs = {{
+constexpr std::array<Verb, 9> verbs = {{
     {"info", "FILE", "what the file holds: counts, bounds, spacing, noise, attributes", run_info},
     {"detect", "CLOUD -o OUT.ply", "label every point: surface, edge, corner, tip, border",
      run_detect},
     {"smooth", "CLOUD -o OUT.ply", "every point projected onto the sharp surface", run_smooth},
     {"lines", "CLOUD -o OUT", "feature curves and corners, for CAD", run_lines},
+    {"mesh", "CLOUD -o OUT", "sharp triangle mesh", run_mesh},
     {"compare", "A B", "distances of A to B and of B to A", run_compare},
     {"synth", "SHAPE -o OUT", "a constructed shape with the exact truth", run_synth},
     {"render", "FILE... -o PIC.png", "a picture without a screen", run_render},
@@ -41,7 +42,7 @@ constexpr std::array<Verb, 8> verbs = {{
 }};
 
 // Promised by the documentation, not built yet.
-constexpr std::array<const char*, 2> later_verbs = {"mesh", "blend"};
+constexpr std::array<const char*, 1> later_verbs = {"blend"};
 
 std::string general_help() {
   std::string text =

@@ -19,6 +19,7 @@ struct MesherOptions {
   double edge_length = 1;      // [spacings] aimed at; at least .3
   double chord_error = 0.004;  // [spacings] edges are shorter where they would leave a curved
                                // surface by more; 0: edges of one length everywhere
+  bool close = false;          // fill all holes, however large
 };
 
 struct SharpMesh {
@@ -26,6 +27,7 @@ struct SharpMesh {
   std::vector<VertexPair> creases;  // segments that were to be edges, as vertices of the mesh
   std::vector<std::int32_t> curve;  // per segment, its curve in the network
   MeshCheck check;
+  std::size_t holes_filled = 0;
   std::size_t unused_points = 0;  // samples that are no vertex of the mesh
   double seconds_samples = 0, seconds_tetrahedra = 0, seconds_label = 0, seconds_total = 0;
 };

@@ -1,0 +1,181 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// apps/mesh.cpp - spigolo mesh: a sharp triangle mesh
+#include "spigolo/pipeline/mesh.h"
+
+#include <optional>
+#include <utility>
+
+#include "feature_cloud.h"
+#include "files.h"
+#include "report.h"
+#include "run.h"
+#include "spigolo/core/error.h"
+#include "spigolo/io/shaded_mesh.h"
+#include "spigolo/mesh/shading.h"
+#include "verbs.h"
+
+namespace spigolo {
+namespace {
+
+// Sheets, tetrahedra and labels, measured on clouds of a million points.
+constexpr std::size_t bytes_per_point = 1500;
+
+const VerbHelp help = {"mesh", "A triangle mesh whose edges run along the creases of the cloud.",
+                       "spigolo mesh scan.ply -o part.stl"};
+
+struct MeshCommand {
+  CommonOptions common;
+  std::string input, output, features;
+  std::string method = "sheets";
+  MeshOptions options;
+};
+
+// "auto" stands for 0: from the noise.
+CLI::Option* by_noise(CLI::Option* option) {
+  return option->default_str("auto")->transform(
+      [](const std::string& text) { return text == "auto" ? "0" : text; });
+}
+
+void declare(CommandLine& line, MeshCommand& c) {
+  line.app().add_option("CLOUD", c.input, "the points; - is standard input")->required();
+  line.app()
+      .add_option("-o,--output", c.output, "PLY, OBJ, STL, OFF or GLB file")
+      ->required()
+      ->type_name("OUT");
+  line.parameter("--method", c.method, "sheets, feature-line (thesis) or plain (rounds edges)")
+      ->check(CLI::IsMember({"sheets", "feature-line", "plain"}))
+      ->type_name("NAME");
+  line.parameter("--sensitivity", c.options.sensitivity,
+                 "of features, 0 to 1: left fewer fillets, right more obtuse edges")
+      ->type_name("S");
+  by_noise(line.parameter("--k", c.options.mls.k, "neighbors of a point, at least 9"))
+      ->type_name("N");
+  by_noise(line.parameter("--smoothing", c.options.mls.smoothing,
+                          "h of the weight, in spacings; larger smooths more"))
+      ->type_name("H");
+  line.parameter("--edge-length", c.options.mesher.edge_length, "of triangles, in spacings")
+      ->type_name("L");
+  line.parameter("--chord-error", c.options.mesher.chord_error,
+                 "shorter edges where they would leave a curved surface by more, in spacings; 0: "
+                 "nowhere")
+      ->type_name("E");
+  line.switch_parameter("--close", c.options.mesher.close, "fill all holes, however large");
+  line.app()
+      .add_option("--features", c.features, "labels of these points, as detect writes them")
+      ->type_name("FILE.ply");
+}
+
+void check_door(MeshCommand& c) {
+  if (c.output != "-" && lower_extension(c.output) != ".glb")
+    file_format(c.output, FileUse::write_mesh);
+  check_output(c.output, c.common);
+  c.options.method = c.method == "sheets"  ? SmoothMethod::sheets
+                     : c.method == "plain" ? SmoothMethod::plain
+                                           : SmoothMethod::feature_line;
+}
+
+std::optional<Features> read_labels(const MeshCommand& c, const PointCloud& cloud, Run& run) {
+  if (c.features.empty()) return std::nullopt;
+  if (c.options.method == SmoothMethod::plain)
+    run.warn("--features has no effect with --method plain");
+  ReadReport seen;
+  const PointCloud labels = read_points(c.features, run, seen);
+  warn(seen, c.features, run);
+  return features_of(labels, cloud, c.features);
+}
+
+void write_shaded(const std::string& path, const SharpMesh& sharp, bool glb, Run& run) {
+  const ShadedMesh shaded{sharp.mesh, find_patches(sharp.mesh, sharp.creases), sharp.creases,
+                          corner_normals(sharp.mesh, sharp.creases)};
+  const Job& job = run.job();
+  AtomicFile out(path);
+  WriteReport report;
+  glb ? write_glb(out, shaded, report) : write_shaded_obj(out, shaded, report);
+  job.check();
+  out.commit();
+}
+
+// PLY marks the vertices on creases; the other formats that know sharp edges get those.
+void write_result(const std::string& path, const SharpMesh& sharp, Run& run) {
+  const std::string ending = lower_extension(path);
+  if (ending == ".glb" || ending == ".obj") {
+    write_shaded(path, sharp, ending == ".glb", run);
+    return;
+  }
+  TriangleMesh mesh = sharp.mesh;
+  const FileFormat format = path == "-" ? FileFormat::ply : file_format(path, FileUse::write_mesh);
+  if (format == FileFormat::ply) {
+    std::vector<double> crease(mesh.vertices.size(), 0);
+    for (const auto& [a, b] : sharp.creases) crease[a] = crease[b] = 1;
+    mesh.vertices.set("scalar_crease", ScalarType::float32, std::move(crease));
+  }
+  write_surface(path, format, mesh, run);
+}
+
+Json mesh_json(const MeshedCloud& meshed, const MeshCommand& c, const Json& parameters) {
+  Json json = to_json(meshed.sharp.check);
+  json["crease_edges"] = meshed.sharp.check.crease_edges;
+  json["crease_edges_kept"] = meshed.sharp.check.crease_edges_kept;
+  json["spacing"] = meshed.spacing;
+  json["noise"] = meshed.noise;
+  json["curves"] = meshed.network.curves.size();
+  json["corners"] = meshed.network.corners.size();
+  json["method"] = c.method;
+  json["parameters"] = parameters;
+  json["duplicates"] = meshed.duplicates;
+  json["non_finite"] = meshed.non_finite;
+  json["outliers"] = meshed.outliers;
+  json["holes_filled"] = meshed.sharp.holes_filled;
+  return json;
+}
+
+Json seconds_json(const MeshedCloud& meshed, double read, double write, double total) {
+  return {{"read", read},
+          {"index", meshed.seconds_index},
+          {"detect", meshed.seconds_detect},
+          {"lines", meshed.seconds_lines},
+          {"project", meshed.seconds_project},
+          {"mesh", meshed.seconds_mesh},
+          {"write", write},
+          {"total", total}};
+}
+
+std::string mesh_text(const MeshedCloud& meshed, double seconds) {
+  const MeshCheck& check = meshed.sharp.check;
+  return check_text(check) + count_text(check.crease_edges_kept) + " of " +
+         count_text(check.crease_edges) + " crease edges kept, " + seconds_text(seconds) + "\n";
+}
+
+}  // namespace
+
+void run_mesh(const std::vector<std::string>& arguments) {
+  MeshCommand c;
+  CommandLine line(help, c.common);
+  declare(line, c);
+  if (!line.parse(arguments)) return;
+  check_door(c);
+
+  Run run(c.common);
+  ReadReport seen;
+  const PointCloud cloud = read_points(c.input, run, seen);
+  warn(seen, c.input, run);
+  run.check_memory(cloud.size(), bytes_per_point);
+  const std::optional<Features> labels = read_labels(c, cloud, run);
+  if (labels) c.options.features = &*labels;
+  const double read = run.lap();
+  const MeshedCloud meshed = mesh_cloud(cloud.points, c.options, run.job());
+  for (const std::string& warning : meshed.warnings) run.warn(warning);
+  run.lap();
+  write_result(c.output, meshed.sharp, run);
+  const double write = run.lap();
+
+  const Json parameters = line.parameters();
+  save_parameters(c.common, help, parameters);
+  Json json = mesh_json(meshed, c, parameters);
+  json["seconds"] = seconds_json(meshed, read, write, run.total_seconds());
+  run.print(std::move(json), mesh_text(meshed, run.total_seconds()), c.output == "-");
+}
+
+}  // namespace spigolo

@@ -28,21 +28,19 @@ struct Verb {
   void (*run)(const Arguments&);
 };
 
-constexpr std::array<Verb, 9> verbs = {{
+constexpr std::array<Verb, 10> verbs = {{
     {"info", "FILE", "what the file holds: counts, bounds, spacing, noise, attributes", run_info},
     {"detect", "CLOUD -o OUT.ply", "label every point: surface, edge, corner, tip, border",
      run_detect},
     {"smooth", "CLOUD -o OUT.ply", "every point projected onto the sharp surface", run_smooth},
     {"lines", "CLOUD -o OUT", "feature curves and corners, for CAD", run_lines},
     {"mesh", "CLOUD -o OUT", "sharp triangle mesh", run_mesh},
+    {"blend", "CLOUD CAD -o OUT.ply", "the cloud blended with a face of a CAD file", run_blend},
     {"compare", "A B", "distances of A to B and of B to A", run_compare},
     {"synth", "SHAPE -o OUT", "a constructed shape with the exact truth", run_synth},
     {"render", "FILE... -o PIC.png", "a picture without a screen", run_render},
     {"convert", "IN -o OUT", "read one format, write another", run_convert},
 }};
-
-// Promised by the documentation, not built yet.
-constexpr std::array<const char*, 1> later_verbs = {"blend"};
 
 std::string general_help() {
   std::string text =
@@ -67,8 +65,6 @@ std::string general_help() {
 }
 
 [[noreturn]] void unknown_verb(const std::string& name) {
-  if (std::find(later_verbs.begin(), later_verbs.end(), name) != later_verbs.end())
-    throw UsageError("this version (" SPIGOLO_VERSION ") does not have '" + name + "' yet");
   std::vector<std::string> names(verbs.size());
   std::transform(verbs.begin(), verbs.end(), names.begin(), [](const Verb& v) { return v.name; });
   const bool option = name.starts_with("-");

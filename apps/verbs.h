@@ -14,6 +14,7 @@ void run_info(const std::vector<std::string>& arguments);
 void run_detect(const std::vector<std::string>& arguments);
 void run_lines(const std::vector<std::string>& arguments);
 void run_mesh(const std::vector<std::string>& arguments);
+void run_blend(const std::vector<std::string>& arguments);
 void run_compare(const std::vector<std::string>& arguments);
 void run_synth(const std::vector<std::string>& arguments);
 void run_render(const std::vector<std::string>& arguments);

@@ -29,7 +29,7 @@ double nudged(double t, double share, std::span<const double> knots, int degree)
 }
 
 // Zero where the derivatives span no plane.
-Vec3 plain_normal(const SurfacePoint& s) {
+Vec3 plain_normal(const NurbsPoint& s) {
   const Vec3 n = cross(s.du, s.dv);
   const double length = norm(n);
   return length > parallel * norm(s.du) * norm(s.dv) ? n / length : Vec3{};
@@ -48,7 +48,7 @@ struct Homogeneous {
 
 }  // namespace
 
-SurfacePoint evaluate(const NurbsSurface& s, double u, double v) {
+NurbsPoint evaluate(const NurbsSurface& s, double u, double v) {
   const BasisFunctions bu =
       basis_functions(s.knots_u, s.degree_u, wrapped(u, s.period_u, s.knots_u, s.degree_u));
   const BasisFunctions bv =

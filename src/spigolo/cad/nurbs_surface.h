@@ -22,12 +22,12 @@ struct NurbsSurface {
 /// Throws Error unless the arrays match, knots ascend, weights are positive and all is finite.
 void validate(const NurbsSurface& surface);
 
-struct SurfacePoint {
+struct NurbsPoint {
   Vec3 point, du, dv;  // position and first derivatives
 };
 
 /// Parameters outside the range come round where the surface is periodic, else go to the border.
-SurfacePoint evaluate(const NurbsSurface& surface, double u, double v);
+NurbsPoint evaluate(const NurbsSurface& surface, double u, double v);
 Vec3 point_at(const NurbsSurface& surface, double u, double v);
 
 /// Unit normal, du x dv. Where the two vanish or agree, as at the tip of a cone or the pole of a

@@ -1,0 +1,193 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/blend/remove.cpp
+#include "spigolo/blend/remove.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "spigolo/core/error.h"
+#include "spigolo/core/symmetric3.h"
+
+namespace spigolo {
+namespace {
+
+// Lengths in spacings.
+constexpr double longest_edge = 2.2;  // that joins two samples of one surface
+constexpr double wall_width = 2.5;    // of the band that tells the two sides apart
+constexpr double on_curve = 1.75;     // samples so close to X begin the band
+constexpr double rim = 0.5;           // of the width: farther out a sample of the band has a side
+constexpr double steep = 0.8;         // cosine of edge and normal: such an edge leaves the surface
+constexpr double says_little = 0.2;   // mean of cosines below which a direction decides nothing
+constexpr std::size_t normal_points = 12;
+
+enum class Zone : char { none, inner, middle, outer };
+
+// Steps from sample to sample along the surface, never across a thin wall.
+class SurfaceGraph {
+ public:
+  explicit SurfaceGraph(const CloudSide& cloud) : cloud_(cloud) {}
+
+  template <class Visit>
+  void for_each_neighbor(std::uint32_t i, Visit&& visit) const {
+    const Vec3 p = cloud_.points()[i], n = normal(i);
+    const auto row = cloud_.neighbors(i);
+    // The twelfth neighbor tells the local spacing.
+    const std::size_t rank = std::min(normal_points, row.size()) - 1;
+    const double local = distance(p, cloud_.points()[row[rank]]) * std::sqrt(pi / 12.5);
+    const double longest = longest_edge * std::max(local, cloud_.spacing());
+    for (const std::uint32_t j : row) {
+      const Vec3 edge = cloud_.points()[j] - p;
+      const double length = norm(edge);
+      if (length > longest) break;
+      const bool leaves = std::abs(dot(edge, n)) > steep * length &&
+                          std::abs(dot(edge, normal(j))) > steep * length;
+      if (!leaves) visit(j);
+    }
+  }
+
+ private:
+  Vec3 normal(std::uint32_t i) const {
+    const auto row = cloud_.neighbors(i);
+    const std::size_t count = std::min(normal_points, row.size());
+    Vec3 mean = cloud_.points()[i];
+    for (std::size_t k = 0; k < count; ++k) mean += cloud_.points()[row[k]];
+    mean = mean / static_cast<double>(count + 1);
+    Symmetric3 scatter;
+    scatter.add(cloud_.points()[i] - mean);
+    for (std::size_t k = 0; k < count; ++k) scatter.add(cloud_.points()[row[k]] - mean);
+    return smallest_axis(scatter).axis;
+  }
+
+  const CloudSide& cloud_;
+};
+
+// The connected samples within `reach` of X, each with its side.
+class Band {
+ public:
+  Band(const CloudSide& cloud, const CollarCurve& collar, const BorderLoop& loop,
+       const std::vector<double>& reach)
+      : cloud_(cloud), collar_(collar), loop_(loop), reach_(reach), zone_(cloud.points().size()) {
+    for (const Strand& s : loop.strands) start_at(s.x);
+    const SurfaceGraph graph(cloud);
+    for (std::size_t next = 0; next < members_.size(); ++next)
+      graph.for_each_neighbor(members_[next], [&](std::uint32_t j) { add(j); });
+  }
+
+  const std::vector<std::uint32_t>& members() const { return members_; }
+  Zone zone(std::uint32_t i) const { return zone_[i]; }
+
+ private:
+  void start_at(const Vec3& x) {
+    cloud_.tree().within(x, on_curve * cloud_.spacing(), scratch_);
+    const std::vector<Neighbor> seeds = scratch_;
+    for (const Neighbor& n : seeds) add(n.index);
+  }
+
+  void add(std::uint32_t i) {
+    if (zone_[i] != Zone::none) return;
+    const Vec3& p = cloud_.points()[i];
+    const CurvePlace place = collar_.curve.nearest(p, scratch_);
+    const double reach = collar_.curve.interpolate(reach_, place);
+    if (!(place.distance < reach)) return;
+    const Strand& s = loop_.strands[place.index];
+    const double side = dot(p - s.x, s.toward_cloud);
+    zone_[i] = std::abs(side) < rim * reach ? Zone::middle : side > 0 ? Zone::outer : Zone::inner;
+    members_.push_back(i);
+  }
+
+  const CloudSide& cloud_;
+  const CollarCurve& collar_;
+  const BorderLoop& loop_;
+  const std::vector<double>& reach_;
+  std::vector<Zone> zone_;
+  std::vector<std::uint32_t> members_;
+  std::vector<Neighbor> scratch_;
+};
+
+// Spreads over the samples beyond one rim of the band.
+class Flood {
+ public:
+  Flood(const CloudSide& cloud, const Band& band, Zone from)
+      : graph_(cloud), band_(band), from_(from), seen_(cloud.points().size(), 0) {
+    for (const std::uint32_t i : band.members())
+      if (band.zone(i) == from) graph_.for_each_neighbor(i, [&](std::uint32_t j) { reach(j); });
+  }
+
+  bool done() const { return next_ == reached_.size(); }
+  void step() {
+    graph_.for_each_neighbor(reached_[next_++], [&](std::uint32_t j) { reach(j); });
+  }
+  /// It has come to the other rim.
+  bool came_round() const { return came_round_; }
+  const std::vector<std::uint32_t>& reached() const { return reached_; }
+
+ private:
+  void reach(std::uint32_t i) {
+    const Zone zone = band_.zone(i);
+    if (zone != Zone::none) {
+      came_round_ |= zone != Zone::middle && zone != from_;
+      return;
+    }
+    if (seen_[i]) return;
+    seen_[i] = 1;
+    reached_.push_back(i);
+  }
+
+  SurfaceGraph graph_;
+  const Band& band_;
+  Zone from_;
+  std::vector<char> seen_;
+  std::vector<std::uint32_t> reached_;
+  std::size_t next_ = 0;
+  bool came_round_ = false;
+};
+
+// Mean of the cosines between the direction and the way from X into the cloud.
+double agreement(const BorderLoop& loop, const Vec3& keep) {
+  const Vec3 direction = normalized(keep);
+  double sum = 0;
+  for (const Strand& s : loop.strands) sum += dot(s.toward_cloud, direction);
+  return sum / static_cast<double>(loop.strands.size());
+}
+
+[[noreturn]] void encloses_nothing() {
+  throw NoResultError(
+      "the intersection does not cut the cloud in two, so nothing is enclosed by the face: it must "
+      "be a closed loop, or run across the whole cloud; for a cloud open on one side say with "
+      "--keep which side stays");
+}
+
+}  // namespace
+
+int choose_side(const CloudSide& cloud, const BorderLoop& loop, const std::optional<Vec3>& keep) {
+  if (keep) {
+    const double agrees = agreement(loop, *keep);
+    if (std::abs(agrees) >= says_little) return agrees > 0 ? loop.side : -loop.side;
+  }
+  const CollarCurve collar(loop);
+  const std::vector<double> reach(loop.strands.size(), wall_width * cloud.spacing());
+  const Band band(cloud, collar, loop, reach);
+  Flood outer(cloud, band, Zone::outer), inner(cloud, band, Zone::inner);
+  while (!outer.done() && !inner.done()) {
+    inner.step();
+    if (!inner.done()) outer.step();
+  }
+  const Flood& smaller = inner.done() ? inner : outer;
+  if (smaller.came_round()) encloses_nothing();
+  return inner.done() ? loop.side : -loop.side;
+}
+
+void remove_enclosed(const CloudSide& cloud, const CollarCurve& collar, const BorderLoop& loop,
+                     std::vector<char>& removed) {
+  const Band band(cloud, collar, loop, collar.width);
+  Flood flood(cloud, band, Zone::inner);
+  while (!flood.done()) flood.step();
+  if (flood.came_round()) encloses_nothing();
+  for (const std::uint32_t i : band.members()) removed[i] = 1;
+  for (const std::uint32_t i : flood.reached()) removed[i] = 1;
+}
+
+}  // namespace spigolo

@@ -152,9 +152,11 @@ void check_door(BlendCommand& c) {
 NurbsFace choose_face(const BlendCommand& c, const CadFile& file) {
   const std::size_t count = file.faces().size();
   if (count == 0) throw NoResultError(c.cad + " holds no face");
-  if (c.face < 0 && count > 1)
-    throw NoResultError(c.cad + " holds several faces; say with --face which one:\n" +
-                        face_lines(file));
+  if (c.face < 0 && count > 1) {
+    std::string list = face_lines(file);
+    list.pop_back();
+    throw NoResultError(c.cad + " holds several faces; say with --face which one:\n" + list);
+  }
   return file.face(c.face < 0 ? 0 : static_cast<std::size_t>(c.face));
 }
 

@@ -1,0 +1,149 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo blend: what its files and its JSON promise, and its messages
+#include <algorithm>
+#include <cmath>
+
+#include "apps/program.h"
+#include "spigolo/cad/cad_file.h"
+#include "spigolo/cad/nurbs_shapes.h"
+#include "spigolo/cad/step_writer.h"
+#include "spigolo/io/cloud_file.h"
+
+namespace spigolo::test {
+namespace {
+
+const Vec3 ez{0, 0, 1};
+
+class BlendVerb : public ProgramTest {
+ protected:
+  BlendVerb()
+      : cloud(cloud_file("cube.ply", small_cube())),
+        tube(step("tube.step", {{nurbs_tube({{20.5, 20.5, 33}, ez}, 8, 28), {}}})) {}
+
+  std::string step(const std::string& name, std::vector<CadFace> faces) const {
+    StepContent content;
+    content.faces = std::move(faces);
+    return file(name, step_text(content));
+  }
+  Outcome run(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "blend");
+    return run_program(arguments);
+  }
+  void expect_failure(int status, const std::string& why,
+                      const std::vector<std::string>& arguments) {
+    const std::vector<std::string> before = listing();
+    const Outcome out = run(arguments);
+    EXPECT_EQ(out.status, status) << out.err;
+    EXPECT_NE(out.err.find(why), std::string::npos) << out.err;
+    EXPECT_EQ(out.out, "");
+    EXPECT_EQ(listing(), before);
+  }
+  std::string cloud, tube;
+};
+
+TEST_F(BlendVerb, writesCloudAndCollarAndReportsEachBorder) {
+  const Outcome out = run({cloud, tube, "--start", "v1", "--radius", "4", "-o", path("out.ply"),
+                           "-o", path("collar.step"), "--json"});
+  ASSERT_EQ(out.status, 0) << out.err;
+  EXPECT_EQ(out.err, "");
+  const Json json = out.json();
+  for (const char* key :
+       {"points", "spacing", "noise", "removed", "collar_points", "nurbs_points", "method",
+        "parameters", "borders", "seconds", "threads", "version", "warnings"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  ASSERT_EQ(json["borders"].size(), 1u);
+  const Json& border = json["borders"][0];
+  for (const char* key : {"gap", "normal_error_deg", "ripple", "removed", "collar_points"})
+    EXPECT_TRUE(border.contains(key)) << key;
+  for (const char* side : {"nurbs", "cloud"})
+    for (const char* key : {"mean", "max"})
+      EXPECT_LT(border["normal_error_deg"][side][key].get<double>(), 10);
+  EXPECT_EQ(json["parameters"]["radius"], 4);
+  EXPECT_FALSE(json["parameters"].contains("height"));
+
+  EXPECT_NE(content_of(path("out.ply"))
+                .find("property double z\nproperty float nx\n"
+                      "property float ny\nproperty float nz\n"
+                      "property float scalar_source\n"),
+            std::string::npos);
+  const PointCloud blended = read_cloud(path("out.ply"));
+  const auto source = values_of(blended, "scalar_source");
+  EXPECT_EQ(json["points"], blended.size());
+  EXPECT_EQ(std::count(source.begin(), source.end(), 2.0), json["collar_points"].get<int>());
+  EXPECT_EQ(std::count(source.begin(), source.end(), 0.0) + json["removed"].get<int>(), 10088);
+
+  const CadFile collar(path("collar.step"));
+  ASSERT_EQ(collar.faces().size(), 1u);
+  EXPECT_TRUE(collar.faces()[0].closed_u);
+  const NurbsFace face = collar.face(0);
+  EXPECT_NEAR(point_at(face.surface, 0.3, 1).z, 41, 1e-2);
+  EXPECT_NEAR(
+      std::hypot(point_at(face.surface, 0.3, 0).x - 20.5, point_at(face.surface, 0.3, 0).y - 20.5),
+      8, 1e-3);
+}
+
+TEST_F(BlendVerb, sameBytesForAnyThreadsAndAgain) {
+  for (const char* threads : {"1", "3"})
+    ASSERT_EQ(run({cloud, tube, "-o", path(std::string(threads) + ".ply"), "-o",
+                   path(std::string(threads) + ".step"), "--threads", threads})
+                  .status,
+              0);
+  EXPECT_EQ(content_of(path("1.ply")), content_of(path("3.ply")));
+  EXPECT_EQ(content_of(path("1.step")), content_of(path("3.step")));
+}
+
+TEST_F(BlendVerb, sharpLabelsEdgesButNeverTheCollar) {
+  ASSERT_EQ(run({cloud, tube, "--sharp", "-o", path("out.ply")}).status, 0);
+  const PointCloud blended = read_cloud(path("out.ply"));
+  const auto source = values_of(blended, "scalar_source"), kind = values_of(blended, "scalar_kind");
+  std::size_t edges = 0, on_collar = 0, beside = 0;
+  for (std::size_t i = 0; i < kind.size(); ++i) {
+    const bool feature = kind[i] == 1 || kind[i] == 2;
+    edges += feature;
+    on_collar += feature && source[i] == 2;
+    beside += feature && std::abs(blended.points[i].z - 41) < 6 &&
+              std::hypot(blended.points[i].x - 20.5, blended.points[i].y - 20.5) < 14;
+  }
+  EXPECT_NEAR(static_cast<double>(edges), 488, 25);
+  EXPECT_EQ(on_collar, 0u);
+  EXPECT_EQ(beside, 0u);
+}
+
+TEST_F(BlendVerb, linearIsThere) {
+  const Outcome out = run({cloud, tube, "--method", "linear", "--height", "4", "--width", "5.7",
+                           "-o", path("out.ply"), "--json"});
+  ASSERT_EQ(out.status, 0) << out.err;
+  EXPECT_GT(out.json()["borders"][0]["normal_error_deg"]["nurbs"]["mean"].get<double>(), 10);
+  expect_failure(2, "linear",
+                 {cloud, tube, "--method", "linear", "-o", path("x.ply"), "-o", path("x.step")});
+}
+
+TEST_F(BlendVerb, badInputsEachWithTheirOwnMessage) {
+  const std::string out = path("out.ply");
+  const std::string two =
+      step("two.step", {{nurbs_tube({{20.5, 20.5, 33}, ez}, 8, 28), {}},
+                        {CadCylinder{{20.5, 20.5, 36}, ez, {1, 0, 0}, 6, 20}, {}}});
+  expect_failure(4, "face 1  cylinder", {cloud, two, "-o", out});
+  expect_failure(2, "no face 7", {cloud, two, "--face", "7", "-o", out});
+  StepContent line;
+  line.curves = {CadLine{{0, 0, 0}, {1, 0, 0}}};
+  expect_failure(4, "holds no face", {cloud, file("line.step", step_text(line)), "-o", out});
+  const std::string text = content_of(tube);
+  expect_failure(3, "damaged", {cloud, file("cut.step", text.substr(0, 3000)), "-o", out});
+  expect_failure(3, "cannot be read", {cloud, path("none.step"), "-o", out});
+  expect_failure(2, "above 0", {cloud, tube, "--radius", "0", "-o", out});
+  expect_failure(2, "above 0", {cloud, tube, "--radius=-3", "-o", out});
+  expect_failure(2, "none of u0", {cloud, tube, "--start", "w7", "-o", out});
+  expect_failure(2, "--keep", {cloud, tube, "--keep", "-w", "-o", out});
+  expect_failure(4, "lies inside", {cloud, tube, "--start", "v0", "-o", out});
+  const std::string away = step("away.step", {{nurbs_tube({{20.5, 20.5, 60}, ez}, 8, 28), {}}});
+  expect_failure(4, "do not meet", {cloud, away, "--start", "v1", "-o", out});
+  expect_failure(4, "wider than the face",
+                 {cloud, tube, "--height", "40", "--width", "3", "-o", out});
+  expect_failure(2, "cannot mesh", {cloud, tube, "--mesh", path("m.ply"), "-o", out});
+}
+
+}  // namespace
+}  // namespace spigolo::test

@@ -11,9 +11,11 @@
 
 #include "spigolo/core/error.h"
 #include "spigolo/mesh/delaunay.h"
+#include "spigolo/mesh/flips.h"
 #include "spigolo/mesh/label.h"
 #include "spigolo/mesh/relabel.h"
 #include "spigolo/mesh/sides.h"
+#include "spigolo/mesh/trim.h"
 
 namespace spigolo {
 namespace {
@@ -81,7 +83,12 @@ SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
   Labelling labels = label_tetrahedra(delaunay, samples, sides, job);
   refine_labels(delaunay, samples, sides, labels, job);
   result.seconds_label = since(start) - result.seconds_tetrahedra - result.seconds_samples;
-  result.mesh.triangles = boundary(delaunay, labels);
+  std::vector<Triangle>& triangles = result.mesh.triangles;
+  triangles = boundary(delaunay, labels);
+  trim_unsupported(triangles, samples, Openness(delaunay, samples, sides), {});
+  const double largest = options.close ? infinity : options.largest_hole * samples.step;
+  result.holes_filled = fill_holes(triangles, samples.position, largest, job);
+  flip_edges(triangles, samples.position, samples.creases, job);
   result.mesh.vertices.points = samples.position;
   result.creases = samples.creases;
   result.curve = samples.curve;

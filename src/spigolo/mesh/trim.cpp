@@ -1,0 +1,68 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/mesh/trim.cpp
+#include "spigolo/mesh/trim.h"
+
+#include <algorithm>
+
+#include "spigolo/mesh/union_find.h"
+
+namespace spigolo {
+namespace {
+
+constexpr double longest = 3.0;  // [edges] of a triangle between samples
+const double steepest = radians(55);
+
+// Groups of triangles that share edges with two triangles; `take` says which triangles count.
+template <class Take>
+ParitySets group(const std::vector<Triangle>& triangles, std::size_t vertices, const Take& take) {
+  ParitySets groups(triangles.size());
+  for (const EdgeTable table = find_edges(vertices, triangles);
+       const MeshEdge& edge : table.edges) {
+    const auto halves = table.of(edge);
+    for (std::size_t i = 1; i < halves.size(); ++i)
+      if (take(halves[0] / 3) && take(halves[i] / 3)) groups.join(halves[0] / 3, halves[i] / 3);
+  }
+  return groups;
+}
+
+void keep(std::vector<Triangle>& triangles, const std::vector<char>& kept) {
+  std::size_t n = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (kept[t]) triangles[n++] = triangles[t];
+  triangles.resize(n);
+}
+
+void drop_scraps(std::vector<Triangle>& triangles, std::size_t vertices, std::size_t least) {
+  ParitySets pieces = group(triangles, vertices, [](std::size_t) { return true; });
+  std::vector<std::uint32_t> size(triangles.size(), 0);
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) ++size[pieces.find(t).set];
+  std::vector<char> kept(triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) kept[t] = size[pieces.find(t).set] >= least;
+  keep(triangles, kept);
+}
+
+}  // namespace
+
+std::size_t trim_unsupported(std::vector<Triangle>& triangles, const MeshSamples& samples,
+                             const Openness& openness, const TrimOptions& options) {
+  const std::size_t before = triangles.size();
+  std::vector<char> open(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    open[t] = openness.length(triangles[t]) > longest || openness.tilt(triangles[t]) > steepest;
+  ParitySets groups = group(triangles, samples.size(), [&](std::size_t t) { return open[t] != 0; });
+  std::vector<Box> box(triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    for (const std::uint32_t v : triangles[t])
+      if (open[t]) box[groups.find(t).set].add(samples.position[v]);
+  std::vector<char> kept(triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    kept[t] =
+        !open[t] || norm(box[groups.find(t).set].size()) <= options.largest_hole * samples.step;
+  keep(triangles, kept);
+  if (triangles.size() < before) drop_scraps(triangles, samples.size(), options.least_piece);
+  return before - triangles.size();
+}
+
+}  // namespace spigolo

@@ -1,0 +1,34 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/mesh/trim.h - triangles that no sample supports, and the holes that are left
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "spigolo/core/job.h"
+#include "spigolo/mesh/check.h"
+#include "spigolo/mesh/openness.h"
+
+namespace spigolo {
+
+/// The label of a closed body closes open scans as well, by triangles that run across empty space.
+/// Takes away those that are longer than three edges or steeper against their sheets than 55
+/// degrees, where they hang together over more than `largest_hole` [steps]; smaller groups are gaps
+/// in the samples and stay. Then scraps of fewer than `least_piece` triangles go. Returns how many
+/// were taken.
+struct TrimOptions {
+  double largest_hole = 8;
+  std::size_t least_piece = 8;
+};
+std::size_t trim_unsupported(std::vector<Triangle>& triangles, const MeshSamples& samples,
+                             const Openness& openness, const TrimOptions& options);
+
+/// Closes border loops not wider than `largest` (in units of the points, infinite: all) by the
+/// triangulation of least area, which adds no vertex. Loops that visit a vertex twice and those of
+/// more than 2000 edges stay. Returns how many were closed.
+std::size_t fill_holes(std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
+                       double largest, const Job& job = {});
+
+}  // namespace spigolo

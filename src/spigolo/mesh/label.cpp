@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t grain = 512;
 constexpr std::size_t buckets = 8192;
 constexpr double per_bucket = 1.0 / 512;  // of openness
-constexpr double across_crease = 0.3;     // doubt about the sheets beside a crease
+constexpr double across_crease = 0.3;     // neighbors more doubtful than that wait for the creases
 constexpr double most_doubt = 1.0;        // neighbors less alike say nothing about each other
 constexpr double longest_neighbor = 2.5;  // [steps]
 
@@ -120,43 +120,77 @@ class Labeller {
     return best;
   }
 
-  void of_segment(std::size_t s, std::vector<std::uint32_t>& around,
-                  std::vector<Statement>& out) const {
-    const SegmentSides& sides = sides_.of_segment[s];
-    const VertexPair& segment = samples_.creases[s];
-    if (!sides.known || !delaunay_.has(vertex(segment[0]))) return;
-    delaunay_.around(vertex(segment[0]), vertex(segment[1]), around);
-    if (around.empty()) return;
-    const std::uint32_t first = beside(segment, sides.into[0], around);
-    const std::uint32_t second = beside(segment, sides.into[1], around);
-    out.push_back({first, second, 1, 0});
-    for (std::size_t k = 0; k < 2; ++k) {
-      const std::uint32_t q = sides.shown_by[k];
-      const double side = dot(samples_.normal[q], sides.into[0]);
-      out.push_back(
-          {first, side > 0 ? poles_[q].up : poles_[q].down, 0, static_cast<float>(across_crease)});
+  // The pole of a sheet vertex that looks the way of a direction.
+  std::uint32_t pole_towards(std::uint32_t q, const Vec3& direction) const {
+    return dot(samples_.normal[q], direction) > 0 ? poles_[q].up : poles_[q].down;
+  }
+
+  // The two spaces beside a segment differ, and either is the one its sheets face.
+  void state_segments() {
+    std::vector<std::uint32_t> around;
+    for (std::size_t s = 0; s < samples_.creases.size(); ++s) {
+      const SegmentSides& sides = sides_.of_segment[s];
+      const VertexPair& segment = samples_.creases[s];
+      if (!sides.known || !delaunay_.has(vertex(segment[0]))) continue;
+      delaunay_.around(vertex(segment[0]), vertex(segment[1]), around);
+      if (around.empty()) continue;
+      const std::uint32_t first = beside(segment, sides.into[0], around);
+      const std::uint32_t second = beside(segment, sides.into[1], around);
+      for (const std::uint32_t q : sides.shown_by) {
+        state({first, pole_towards(q, sides.into[0]), 0, 0});
+        state({second, pole_towards(q, sides.into[0]), 1, 0});
+      }
     }
   }
 
+  // Each segment says how the sheets beside it lie to each other; of two sheets the majority of all
+  // segments between them decides, and the clearest majorities come first.
+  void vote_across_creases() {
+    struct Vote {
+      std::uint32_t a, b;
+      int sum;
+    };
+    std::vector<Vote> votes;
+    for (const SegmentSides& sides : sides_.of_segment) {
+      if (!sides.known) continue;
+      const std::uint32_t p = pole_towards(sides.shown_by[0], sides.into[0]);
+      const std::uint32_t q = pole_towards(sides.shown_by[1], sides.into[0]);
+      if (p == no_index || q == no_index) continue;
+      const auto [a, a_parity] = sets_.find(p);
+      const auto [b, b_parity] = sets_.find(q);
+      if (a != b) votes.push_back({std::min(a, b), std::max(a, b), a_parity == b_parity ? 1 : -1});
+    }
+    std::sort(votes.begin(), votes.end(), [](const Vote& x, const Vote& y) {
+      return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.sum < y.sum;
+    });
+    std::vector<Vote> sums;
+    for (const Vote& vote : votes)
+      if (!sums.empty() && sums.back().a == vote.a && sums.back().b == vote.b)
+        sums.back().sum += vote.sum;
+      else
+        sums.push_back(vote);
+    std::stable_sort(sums.begin(), sums.end(), [](const Vote& x, const Vote& y) {
+      return std::abs(x.sum) > std::abs(y.sum);
+    });
+    for (const Vote& vote : sums) state({vote.a, vote.b, vote.sum < 0, 0});
+  }
+
   void state_neighbors() {
-    const std::size_t ranges = samples_.size() / grain + 1;
-    std::vector<std::vector<Statement>> found(ranges),
-        at_creases(samples_.creases.size() / grain + 1);
+    std::vector<std::vector<Statement>> found(samples_.size() / grain + 1);
     parallel_for(job_, "", samples_.size(), grain, [&](std::size_t begin, std::size_t end) {
       std::vector<std::uint32_t> scratch;
       for (std::size_t i = std::max(begin, samples_.on_creases); i < end; ++i)
         if (delaunay_.has(vertex(i))) of_neighbors(i, scratch, found[begin / grain]);
     });
-    parallel_for(job_, "", samples_.creases.size(), grain, [&](std::size_t begin, std::size_t end) {
-      std::vector<std::uint32_t> scratch;
-      for (std::size_t s = begin; s < end; ++s) of_segment(s, scratch, at_creases[begin / grain]);
-    });
     std::vector<Statement> all;
-    for (const auto* lists : {&at_creases, &found})
-      for (const auto& list : *lists) all.insert(all.end(), list.begin(), list.end());
+    for (const auto& list : found) all.insert(all.end(), list.begin(), list.end());
     std::stable_sort(all.begin(), all.end(),
                      [](const Statement& a, const Statement& b) { return a.doubt < b.doubt; });
-    for (const Statement& s : all) state(s);
+    std::size_t next = 0;
+    for (; next < all.size() && all[next].doubt < across_crease; ++next) state(all[next]);
+    vote_across_creases();
+    state_segments();
+    for (; next < all.size(); ++next) state(all[next]);
   }
 
   // Counting sort by openness: bucket, then tetrahedron.

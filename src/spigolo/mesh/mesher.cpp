@@ -91,6 +91,7 @@ SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
   flip_edges(triangles, samples.position, samples.creases, job);
   result.mesh.vertices.points = samples.position;
   result.creases = samples.creases;
+  split_fans(result.mesh, result.creases);
   result.curve = samples.curve;
   result.check = check_mesh(result.mesh, result.creases, job);
   result.seconds_total = since(start);

@@ -5,6 +5,7 @@
 #include "spigolo/mesh/samples.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "spigolo/core/parallel.h"
@@ -22,6 +23,7 @@ constexpr double candidate_distance = 0.9;  // [edges] from the vertex beside th
 constexpr double support_radius = 2.6;      // [spacings] surface points must lie in here ...
 constexpr std::size_t least_support = 5;    // ... at least so many ...
 const double widest_support_gap = radians(140);  // ... and all around
+constexpr std::size_t witnesses = 4;             // sheets that are asked where a gap is filled
 constexpr int most_rounds = 16;
 constexpr std::size_t grain = 1024;
 
@@ -119,8 +121,7 @@ class SheetSampler {
   std::vector<SurfaceFoot> find_candidates(std::size_t begin, std::size_t end) const {
     std::vector<std::vector<SurfaceFoot>> found((end - begin) / grain + 1);
     parallel_for(job_, "vertices", end - begin, grain, [&](std::size_t from, std::size_t to) {
-      const SurfaceProbe probe = surface_.make_probe ? surface_.make_probe() : SurfaceProbe();
-      for (std::size_t i = from; i < to; ++i) beside(begin + i, probe, found[from / grain]);
+      for (std::size_t i = from; i < to; ++i) beside(begin + i, found[from / grain]);
     });
     std::vector<SurfaceFoot> all;
     for (const auto& list : found) all.insert(all.end(), list.begin(), list.end());
@@ -128,7 +129,7 @@ class SheetSampler {
   }
 
   // Points in the gaps around a vertex.
-  void beside(std::size_t v, const SurfaceProbe& probe, std::vector<SurfaceFoot>& out) const {
+  void beside(std::size_t v, std::vector<SurfaceFoot>& out) const {
     const Vec3 &p = samples_.position[v], &n = samples_.normal[v];
     const double length = samples_.length[v];
     Compass compass(n);
@@ -144,7 +145,8 @@ class SheetSampler {
       for (int k = 1; k < pieces; ++k) {
         const double a = angle + width * k / pieces;
         const Vec3 query = p + candidate_distance * length * compass.direction(a);
-        const SurfaceFoot foot = on_surface(query, n, probe);
+        if (!is_free(query, n, length)) continue;
+        const SurfaceFoot foot = on_surface(query, n);
         if (foot.valid() && !near_crease(foot.position) && supported(foot)) out.push_back(foot);
       }
     });
@@ -158,27 +160,60 @@ class SheetSampler {
     });
   }
 
-  // Where the sheet goes on, if it has no crease or jump on the way.
-  SurfaceFoot on_surface(const Vec3& query, const Vec3& normal, const SurfaceProbe& probe) const {
-    const SurfaceFoot foot = probe ? probe(query, normal) : on_plane(query, normal);
-    const bool sound = foot.valid() && std::abs(dot(foot.normal, normal)) > 0.5 &&
-                       distance(foot.position, query) < 0.5 * edge_.step;
-    return sound ? foot : SurfaceFoot{};
-  }
+  using Witness = std::pair<double, std::uint32_t>;  // squared distance, surface point
 
-  // The plane of the nearest surface point of about that normal.
-  SurfaceFoot on_plane(const Vec3& query, const Vec3& normal) const {
-    std::pair<double, std::uint32_t> nearest{infinity, no_index};
+  std::array<Witness, witnesses> find_witnesses(const Vec3& query, const Vec3& normal) const {
+    std::array<Witness, witnesses> nearest;
+    nearest.fill({infinity, no_index});
     cloud_.any_within(query, 2 * surface_.spacing, [&](std::uint32_t j, double squared) {
       const SurfaceFoot& foot = surface_.points[j];
-      if (foot.valid() && std::abs(dot(foot.normal, normal)) > 0.6)
-        nearest = std::min(nearest, {squared, j});
+      if (!foot.valid() || std::abs(dot(foot.normal, normal)) < 0.6) return false;
+      Witness entry{squared, j};
+      for (Witness& place : nearest)
+        if (entry < place) std::swap(entry, place);
       return false;
     });
-    if (nearest.second == no_index) return {};
-    SurfaceFoot foot = surface_.points[nearest.second];
+    return nearest;
+  }
+
+  // The sheets of the nearest surface points of about that normal, continued to the query: their
+  // mean where they agree. One that errs is outvoted, not followed.
+  SurfaceFoot on_surface(const Vec3& query, const Vec3& normal) const {
+    const auto nearest = find_witnesses(query, normal);
+    if (nearest[1].second == no_index) return {};
+    std::array<SurfaceFoot, witnesses> feet;
+    SurfaceFoot mean;
+    double weight = 0;
+    for (std::size_t i = 0; i < witnesses && nearest[i].second != no_index; ++i) {
+      feet[i] = continued(nearest[i].second, query);
+      if (!feet[i].valid()) return {};
+      const double w = 1 / (nearest[i].first + 0.1 * surface_.spacing * surface_.spacing);
+      mean.position += w * feet[i].position;
+      mean.normal += (dot(feet[i].normal, normal) < 0 ? -w : w) * feet[i].normal;
+      mean.curvature += w * feet[i].curvature;
+      weight += w;
+    }
+    mean = {mean.position / weight, normalized(mean.normal), mean.curvature / weight};
+    for (std::size_t i = 0; i < witnesses && nearest[i].second != no_index; ++i)
+      if (distance(feet[i].position, mean.position) > surface_.disagreement) return {};
+    return distance(mean.position, query) > 0.5 * edge_.step ? SurfaceFoot{} : mean;
+  }
+
+  SurfaceFoot continued(std::uint32_t near, const Vec3& query) const {
+    if (surface_.continued) return surface_.continued(near, query);
+    SurfaceFoot foot = surface_.points[near];
     foot.position = query - dot(query - foot.position, foot.normal) * foot.normal;
     return foot;
+  }
+
+  // Worth asking the sheets: neither taken nor at a crease.
+  bool is_free(const Vec3& p, const Vec3& n, double length) const {
+    if (near_crease(p)) return false;
+    const double r = 0.8 * sheet_distance * length;
+    return !taken_.any_within(p, r, [&](std::uint32_t j, double) {
+      const std::size_t v = samples_.on_creases + j;
+      return same_sheet(p, n, samples_.position[v], samples_.normal[v]);
+    });
   }
 
   // Surface points of the sheet lie all around: it does not end here.

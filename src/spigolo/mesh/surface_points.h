@@ -22,17 +22,16 @@ struct SurfaceFoot {
   bool valid() const { return squared_norm(normal) > 0; }
 };
 
-using SurfaceProbe = std::function<SurfaceFoot(const Vec3& query, const Vec3& normal)>;
-
 /// Points of every sheet, in one canonical order.
 struct SurfacePoints {
   std::vector<SurfaceFoot> points;
-  double spacing = 1;  // of the cloud they come from
+  double spacing = 1;         // of the cloud they come from
+  double disagreement = .15;  // [unit] sheets continued to one place that lie farther apart from
+                              // their mean are not one surface
 
-  /// Makes a function that finds the surface near a place, for one thread; the place is about a
-  /// spacing away from samples, `normal` that of a sheet near it. Empty: sheets are flat between
-  /// their points.
-  std::function<SurfaceProbe()> make_probe;
+  /// The sheet of point `near` at a place up to two spacings from it; called by several threads.
+  /// Empty: sheets are flat between their points.
+  std::function<SurfaceFoot(std::uint32_t near, const Vec3& query)> continued;
 };
 
 }  // namespace spigolo

@@ -22,6 +22,7 @@ constexpr std::size_t grain = 256;
 constexpr std::size_t prepared_k = 20;  // neighbors that spacing, noise and labels start from
 constexpr double lone = 2.5;            // times the spacing of its neighbors: a flying point
 constexpr std::size_t lone_neighbors = 9;
+constexpr double disagreement = 0.15;  // [spacings] of sheets continued to one place
 constexpr double farthest_move = 1.0;  // [spacings] a point moved farther is on no sheet ...
 constexpr double move_by_noise = 4;    // ... plus so many times the noise
 
@@ -91,6 +92,19 @@ SurfaceFoot as_foot(const SurfacePoint& s) {
   return {s.position, s.normal, bend(s.curvature)};
 }
 
+// The foot of a place near the sheet; its bend is that of the quadric's middle.
+SurfaceFoot on_sheet(const Sheet& sheet, const Vec3& query, const Vec3& origin) {
+  if (!sheet.fitted()) return {};
+  Vec3 p = query - origin, n;
+  for (int step = 0; step < 2; ++step) {
+    n = normal_at(sheet, p);
+    p -= height(sheet, p) * sheet.spacing * n;
+  }
+  const double mean = std::abs(sheet.a[3] + sheet.a[5]),
+               spread = std::hypot(sheet.a[3] - sheet.a[5], sheet.a[4]);
+  return {p + origin, n, (mean + spread) / sheet.spacing};
+}
+
 SurfacePoints on_sheets(const SharpSurface& surface, MeshedCloud& result, const Job& job) {
   const PreparedCloud& prepared = surface.model().prepared;
   SurfacePoints out;
@@ -108,10 +122,9 @@ SurfacePoints on_sheets(const SharpSurface& surface, MeshedCloud& result, const 
                  }
                });
   for (std::size_t i = 0; i < out.points.size(); ++i) result.outliers += is_lone(prepared, i);
-  out.make_probe = [&surface] {
-    return [&surface, probe = surface.probe()](const Vec3& query, const Vec3&) mutable {
-      return as_foot(project_sharp(surface, query, probe));
-    };
+  out.disagreement = out.spacing * (disagreement + prepared.noise);
+  out.continued = [&surface](std::uint32_t near, const Vec3& query) {
+    return on_sheet(surface.model().own[near], query, surface.origin());
   };
   return out;
 }
@@ -125,6 +138,7 @@ SurfacePoints by_neighbors(std::span<const Vec3> points, const MeshOptions& opti
   const Smoothed smoothed = smooth(points, smoothing, job);
   SurfacePoints out;
   out.spacing = smoothed.spacing;
+  out.disagreement = out.spacing * (disagreement + smoothed.noise);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool there = smoothed.status[i] == SurfaceStatus::sheet;
     out.points.push_back(

@@ -261,5 +261,59 @@ TEST_P(DetectBy, CanBeCancelled) {
   EXPECT_THROW(run(s.cloud.points, job), Cancelled);
 }
 
+// A closed object has an outside, a single fold has none.
+TEST(Detect, RidgesAndValleysAreToldApart) {
+  for (const char* shape : {"l-prism", "steps", "star"})
+    for (const double noise : {0.0, 0.1})
+      for (const Sampling sampling : {Sampling::random, Sampling::blue}) {
+        SynthOptions options;
+        options.shape = shape;
+        options.sampling = sampling;
+        options.noise = noise;
+        options.seed = 12;
+        const SynthCloud s = make_cloud(options);
+        const Features f = detect(s.cloud.points).features;
+        std::size_t right = 0, wrong = 0;
+        for (std::size_t i = 0; i < f.size(); ++i) {
+          if (f.kind[i] != PointKind::edge || corner_distance(s.shape, s.exact[i]) < 3 * s.spacing)
+            continue;
+          const int truth = nearest_crease(s.shape, s.exact[i]).convex;
+          ++(f.convex[i] == truth ? right : wrong);
+        }
+        EXPECT_GT(right, 300u) << shape;
+        EXPECT_LE(wrong * 100, right) << shape << " noise " << noise;
+      }
+  for (const std::int8_t convex :
+       detect(synth("wedge", half_pi, Sampling::blue, 6000).cloud.points).features.convex)
+    ASSERT_EQ(convex, 0);
+}
+
+TEST(Detect, ConesHaveATipAndPyramidsACorner) {
+  for (const Sampling sampling : {Sampling::random, Sampling::blue}) {
+    const SynthCloud cone = synth("cone", 0, sampling, 10000);
+    const Detection d = detect(cone.cloud.points);
+    double nearest = infinity;
+    for (const Vec3& p : cone.cloud.points)
+      nearest = std::min(nearest, tip_distance(cone.shape, p));
+    EXPECT_GE(d.features.counts()[3], nearest < 0.6 * d.spacing ? 1u : 0u);
+    for (std::size_t i = 0; i < d.features.size(); ++i) {
+      if (d.features.kind[i] != PointKind::tip) continue;
+      EXPECT_LT(tip_distance(cone.shape, cone.cloud.points[i]), 1.5 * d.spacing);
+      EXPECT_LT(tip_distance(cone.shape, d.features.crease_point[i]), 0.5 * d.spacing);
+      EXPECT_NEAR(degrees(d.features.angle[i]), 180 - 2 * degrees(std::atan(0.5)), 8);
+    }
+    EXPECT_EQ(detect(synth("pyramid", 0, sampling, 10000).cloud.points).features.counts()[3], 0u);
+    EXPECT_EQ(detect(synth("box", 0, sampling, 10000).cloud.points).features.counts()[3], 0u);
+  }
+}
+
+// Lines four times denser along than across: the nearest neighbors alone lie on three of them.
+TEST(Detect, ScanLinesHaveEdgesToo) {
+  const SynthCloud s = synth("steps", 0, Sampling::scan, 10000);
+  const Classification c = classify(sharp_flags(detect(s.cloud.points).features),
+                                    read_truth(s.cloud, s.spacing, s.lattice), Scoring::tolerant);
+  EXPECT_GT(c.f1, 0.9);
+}
+
 }  // namespace
 }  // namespace spigolo

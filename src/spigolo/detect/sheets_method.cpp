@@ -21,9 +21,8 @@ Features features_of_model(const SheetModel& model) {
     features.strength[i] = static_cast<float>(verdict.strength);
     features.crease_point[i] = verdict.crease_point;
     features.direction[i] = verdict.direction;
-    features.sheets[i] = verdict.kind == PointKind::corner ? 3
-                         : verdict.kind == PointKind::edge ? 2
-                                                           : 1;
+    features.sheets[i] = verdict.sheets;
+    features.convex[i] = verdict.convex;
   }
   return features;
 }

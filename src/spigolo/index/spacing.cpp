@@ -13,6 +13,8 @@ namespace spigolo {
 namespace {
 
 constexpr std::size_t spacing_k = 12;
+constexpr double line_reach = 0.62;  // [spacings] of both nearest neighbors on a scan line
+constexpr double line_cosine = 0.9;  // between the ways to them, at least
 constexpr std::size_t grain = 1 << 14;
 
 double median(std::vector<double> values) {
@@ -20,6 +22,12 @@ double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+bool is_on_line(const Vec3& p, const Vec3& a, const Vec3& b, double spacing) {
+  const Vec3 to_a = p - a, to_b = p - b;
+  const double na = norm(to_a), nb = norm(to_b);
+  return nb < line_reach * spacing && dot(to_a, to_b) < -line_cosine * na * nb;
 }
 
 }  // namespace
@@ -39,6 +47,12 @@ Spacing estimate_spacing(std::span<const Vec3> points, const Neighborhoods& neig
     }
   });
   spacing.of_cloud = median(spacing.of_point);
+  std::size_t on_lines = 0;
+  for (std::size_t i = 0; k >= 2 && i < points.size(); ++i) {
+    const auto row = neighborhoods.of(i);
+    on_lines += is_on_line(points[i], points[row[0]], points[row[1]], spacing.of_point[i]);
+  }
+  spacing.on_lines = static_cast<double>(on_lines) / static_cast<double>(points.size());
   return spacing;
 }
 

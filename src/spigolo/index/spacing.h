@@ -19,6 +19,9 @@ namespace spigolo {
 struct Spacing {
   std::vector<double> of_point;  // canonical order; 0 where there are no neighbors
   double of_cloud = 0;           // their median
+  /// Share of the points whose two nearest neighbors lie close by, before and behind them: most of
+  /// them on scan lines that are denser along than across, one in twenty at random.
+  double on_lines = 0;
 };
 
 /// Uses the first 12 neighbors of each row, or all if there are fewer.

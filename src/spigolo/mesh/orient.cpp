@@ -8,9 +8,9 @@
 #include <vector>
 
 #include <array>
+#include "spigolo/core/parity_sets.h"
 #include "spigolo/mesh/edges.h"
 #include "spigolo/mesh/triangle_tree.h"
-#include "spigolo/mesh/union_find.h"
 
 namespace spigolo {
 namespace {

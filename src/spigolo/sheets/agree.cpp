@@ -46,10 +46,16 @@ SheetVerdict mean_of(const std::vector<Vote>& votes, const Vec3& p, double spaci
     const Vec3& d = vote.from->direction;
     verdict.crease_point += vote.foot / n;
     verdict.direction += dot(d, votes.front().from->direction) < 0 ? -d : d;
+    const std::array<Vec3, 2>&into = vote.from->into, &first = votes.front().from->into;
+    const bool crossed = dot(into[0], first[1]) + dot(into[1], first[0]) >
+                         dot(into[0], first[0]) + dot(into[1], first[1]);
+    for (std::size_t s = 0; s < 2; ++s) verdict.into[s] += into[crossed ? 1 - s : s];
     verdict.deviation += vote.from->deviation / n;
     verdict.strength += vote.from->strength / n;
   }
   verdict.direction = normalized(verdict.direction);
+  for (Vec3& into : verdict.into) into = normalized(into);
+  verdict.sheets = 2;
   const double away = distance(p, verdict.crease_point) / spacing;
   return away <= reach ? verdict : SheetVerdict{};
 }

@@ -11,8 +11,9 @@ namespace {
 
 constexpr int foot_steps = 24;
 constexpr double converged = 1e-11;  // [spacings]
-constexpr double settled = 1e-4;  // [spacings] the last step of an iteration that is near its end
-constexpr double farthest = 4;    // [spacings]
+constexpr double settled = 1e-4;   // [spacings] the last step of an iteration that is near its end
+constexpr double undecided = 0.2;  // of a half: a sheet so evenly on both sides ends at neither
+constexpr double farthest = 4;     // [spacings]
 
 // Bits of the sheets above which x lies, and of those that it is too close to to say.
 struct Sides {
@@ -100,15 +101,6 @@ bool LocalSheets::is_surface(std::size_t s, const Vec3& x, std::uint32_t free) c
   return false;
 }
 
-bool LocalSheets::ends_at(std::size_t s, std::size_t c) const {
-  const std::uint32_t bit = 1U << c;
-  for (std::uint32_t pattern = 0; pattern < (1U << count); ++pattern)
-    if (!(pattern & bit) && (data_sides[s] >> pattern & 1U) &&
-        (data_sides[s] >> (pattern | bit) & 1U))
-      return false;
-  return true;
-}
-
 std::optional<Vec3> find_foot(const Sheet& sheet, const Vec3& query) {
   Vec3 x = query;
   double step = infinity;
@@ -143,13 +135,9 @@ std::optional<Vec3> into_sheet(const LocalSheets& sheets, std::size_t s, std::si
                                const Crease& crease, const Vec3& normal) {
   const Vec3 side = cross(normal, crease.direction);
   const double h = dot(normal_at(sheets.sheet[other], crease.point), side);
-  const bool above = h > 0;  // whether `side` leads above the other sheet
-  const std::uint32_t bit = 1U << other;
-  bool data_above = false, data_below = false;
-  for (std::uint32_t pattern = 0; pattern < (1U << sheets.count); ++pattern)
-    if (sheets.data_sides[s] >> pattern & 1U) (pattern & bit ? data_above : data_below) = true;
-  if (data_above == data_below) return std::nullopt;
-  return above == data_above ? side : -side;
+  const double share = static_cast<double>(sheets.share_above[s][other]);
+  if (std::abs(share - 0.5) < undecided) return std::nullopt;
+  return (h > 0) == (share > 0.5) ? side : -side;
 }
 
 std::optional<Vec3> corner_on(const LocalSheets& sheets, std::size_t a, std::size_t b,

@@ -25,12 +25,12 @@ struct LocalSheets {
   /// Bit c of a place's sides tells whether it is above sheet c (height > 0). data_sides[s] has bit
   /// b set if data of sheet s lie where the sides (without bit s) are b.
   std::array<std::uint64_t, most> data_sides{};
+  /// Of the data of sheet s: the share above sheet c, of those clearly on one of its sides.
+  std::array<std::array<float, most>, most> share_above{};
 
   /// Whether x, a place on sheet s, is where the data of s are; sheets named in `free` (a bit each)
   /// do not count.
   bool is_surface(std::size_t s, const Vec3& x, std::uint32_t free = 0) const;
-  /// Whether the data of sheet s end at sheet c: all of them on one side, as far as others allow.
-  bool ends_at(std::size_t s, std::size_t c) const;
 };
 
 enum class FootKind : std::uint8_t { sheet = 0, crease = 1, corner = 2, none = 3 };

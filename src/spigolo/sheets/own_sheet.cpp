@@ -26,6 +26,8 @@ constexpr double rounding = 1e-7;                           // [spacings] of exa
 constexpr std::size_t most_points = 128;
 constexpr double exact_noise = 0.03;  // [spacings] with less, sheets are as exact as the points
 constexpr double shifted_fit = 1.1, shifted_height = 0.3;  // of squared residuals and heights
+constexpr double mostly_lines = 0.4;                       // share of points on scan lines
+constexpr std::size_t lines_k = 48, lines_asked = 40;
 constexpr double wide = 2.5;  // standard deviations that hold nearly all points
 
 // Plane through points[0] (its unit normal) that the neighbors agree with best: each counts the
@@ -125,13 +127,21 @@ double SheetTolerances::smooth() const { return std::max(smooth_floor, 1.15 * no
 double SheetTolerances::plane() const { return std::max(plane_floor, wide * noise); }
 double SheetTolerances::on_sheet() const { return std::max(sheet_floor, wide * noise); }
 
-SheetTolerances sheet_tolerances(double noise) {
-  const std::size_t k = noise < 0.03   ? 20
-                        : noise < 0.1  ? 24
-                        : noise < 0.15 ? 40
-                        : noise < 0.3  ? 64
-                                       : 96;
-  return {noise, k};
+SheetTolerances sheet_tolerances(double noise, double on_lines) {
+  struct Row {
+    double below;  // [spacings]
+    std::size_t k, asked;
+  };
+  constexpr Row rows[] = {
+      {0.03, 20, 16}, {0.1, 24, 20}, {0.15, 40, 32}, {0.3, 64, 48}, {infinity, 96, 64}};
+  const Row& row = *std::find_if(std::begin(rows), std::end(rows),
+                                 [&](const Row& r) { return noise < r.below; });
+  SheetTolerances tolerances{noise, row.k, row.asked};
+  if (on_lines > mostly_lines) {
+    tolerances.k = std::max(tolerances.k, lines_k);
+    tolerances.asked = std::max(tolerances.asked, lines_asked);
+  }
+  return tolerances;
 }
 
 Sheet find_own_sheet(std::span<const Vec3> points, double spacing,

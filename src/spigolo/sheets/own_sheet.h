@@ -16,16 +16,18 @@ namespace spigolo {
 
 /// What the noise of the cloud means for everything that asks whether a point is on a sheet.
 struct SheetTolerances {
-  double noise = 0;    // [spacings] standard deviation across the surface
-  std::size_t k = 20;  // neighbors a sheet is fitted to; grows with the noise
+  double noise = 0;        // [spacings] standard deviation across the surface
+  std::size_t k = 20;      // neighbors a sheet is fitted to; grows with the noise
+  std::size_t asked = 16;  // neighbors whose sheets may pass a point
 
   double smooth() const;    // [spacings] a fit to all neighbors that deviates less is one sheet
   double plane() const;     // [spacings] points this close to a plane may share a sheet with it
   double on_sheet() const;  // [spacings] points this close to a fitted sheet lie on it
 };
 
-/// k is 20 without noise, up to 96 with much of it.
-SheetTolerances sheet_tolerances(double noise);
+/// k is 20 without noise, up to 96 with much of it; more on scan lines (Spacing::on_lines), since
+/// the 20 nearest lie on three of them.
+SheetTolerances sheet_tolerances(double noise, double on_lines = 0);
 
 /// The sheet through points[0], from its neighborhood (itself first). If one quadric fits all, that
 /// one; else the plane through it and two neighbors that the most of them agree with, grown to the

@@ -54,15 +54,15 @@ std::optional<Vec3> RoofTest::half_plane(const Crease& crease, const Vec3& norma
   return side * sign;
 }
 
-std::optional<double> RoofTest::deviation(const Crease& crease, const PointSet& on_a,
-                                          const PointSet& on_b) const {
+std::optional<RoofTest::Roof> RoofTest::find(const Crease& crease, const PointSet& on_a,
+                                             const PointSet& on_b) const {
   const auto a = half_plane(crease, crease.normal[0], on_a & ~on_b);
   if (!a) return std::nullopt;
   const auto b = half_plane(crease, crease.normal[1], on_b & ~on_a);
   if (!b) return std::nullopt;
   const double deviation = pi - angle_between(*a, *b);
   if (deviation < least_deviation_) return std::nullopt;
-  return deviation;
+  return Roof{deviation, {*a, *b}};
 }
 
 }  // namespace spigolo

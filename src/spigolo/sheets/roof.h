@@ -4,6 +4,7 @@
 // spigolo/sheets/roof.h - do two sheets end at their crossing, like the sides of a roof?
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -20,10 +21,14 @@ class RoofTest {
            double least_deviation)
       : points_(points), members_(members), spacing_(spacing), least_deviation_(least_deviation) {}
 
-  /// Deviation from flat [rad] of the edge, or nothing if a sheet has too few points of its own,
-  /// goes on beyond the crossing, stays away from it, or the angle is too small.
-  std::optional<double> deviation(const Crease& crease, const PointSet& on_a,
-                                  const PointSet& on_b) const;
+  struct Roof {
+    double deviation = 0;        // [rad] from flat
+    std::array<Vec3, 2> into{};  // unit, square to the crease, into each sheet
+  };
+
+  /// The edge, or nothing if a sheet has too few points of its own, goes on beyond the crossing,
+  /// stays away from it, or the angle is too small.
+  std::optional<Roof> find(const Crease& crease, const PointSet& on_a, const PointSet& on_b) const;
 
  private:
   std::optional<Vec3> half_plane(const Crease& crease, const Vec3& normal,

@@ -8,11 +8,16 @@
 #include <utility>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/sheets/convexity.h"
+#include "spigolo/sheets/gaps.h"
+#include "spigolo/sheets/refine.h"
+#include "spigolo/sheets/tips.h"
 
 namespace spigolo {
 namespace {
 
 constexpr std::size_t grain = 1024;
+constexpr double exact_noise = 0.03;  // [spacings] with less, each crease stands for itself
 constexpr int plain_rounds = 2;  // neighborhoods of neighborhoods: as far as any later fit looks
 
 }  // namespace
@@ -38,12 +43,21 @@ void note_plain_places(SheetModel& model, const Job& job) {
 SheetModel build_sheet_model(PreparedCloud prepared, const SheetOptions& options, const Job& job) {
   SheetModel model;
   model.prepared = std::move(prepared);
-  model.tolerances = sheet_tolerances(model.prepared.noise);
+  model.tolerances = sheet_tolerances(model.prepared.noise, model.prepared.spacing.on_lines);
   widen_neighborhoods(model.prepared, model.tolerances.k, job);
   const PreparedCloud& p = model.prepared;
   model.own = find_own_sheets(p.cloud.points, p.neighborhoods, p.spacing, model.tolerances, job);
   model.verdicts = judge_points(p.cloud.points, p.neighborhoods, p.spacing, model.own,
                                 model.tolerances, options, job);
+  if (model.tolerances.noise < exact_noise) {
+    fill_gaps(p.cloud.points, p.neighborhoods, p.spacing, model.verdicts);
+  } else {
+    refine_creases(model, options, job);
+    clean_verdicts(p.cloud.points, p.neighborhoods, p.spacing, model.verdicts);
+  }
+  const SheetCloud cloud{p.cloud.points, p.neighborhoods, p.spacing, model.own};
+  find_tips(cloud, model.tolerances, model.verdicts);
+  note_convexity(cloud, model.tolerances, model.verdicts, job);
   return model;
 }
 

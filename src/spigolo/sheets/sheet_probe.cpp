@@ -219,21 +219,30 @@ void SheetProbe::fit(const Vec3& center, double smoothing) {
 void SheetProbe::note_sides() {
   std::array<std::array<std::uint16_t, 64>, LocalSheets::most> seen{};
   std::array<std::size_t, LocalSheets::most> total{};
+  std::array<std::array<float, LocalSheets::most>, LocalSheets::most> sided{};
+  sheets_.share_above = {};
   for (std::size_t t = 0; t < points_.size(); ++t) {
     if (label_[t] < 0) continue;
     const auto s = static_cast<std::size_t>(label_[t]);
     std::uint32_t above = 0;
     bool clear = true;
-    for (std::size_t c = 0; c < sheets_.count && clear; ++c) {
+    for (std::size_t c = 0; c < sheets_.count; ++c) {
       if (c == s) continue;
       const double h = height(sheets_.sheet[c], points_[t]);
-      clear = std::abs(h) > sheets_.tolerance;
+      const bool on_side = std::abs(h) > sheets_.tolerance;
+      clear &= on_side;
       if (h > 0) above |= 1U << c;
+      if (!on_side) continue;
+      sided[s][c] += 1;
+      sheets_.share_above[s][c] += h > 0 ? 1.0F : 0.0F;
     }
     if (!clear) continue;
     ++seen[s][above];
     ++total[s];
   }
+  for (std::size_t s = 0; s < sheets_.count; ++s)
+    for (std::size_t c = 0; c < sheets_.count; ++c)
+      sheets_.share_above[s][c] = sided[s][c] > 0 ? sheets_.share_above[s][c] / sided[s][c] : 0.5F;
   const double share = model_.tolerances.noise < exact_noise ? 0 : rare;
   for (std::size_t s = 0; s < sheets_.count; ++s) {
     sheets_.data_sides[s] = total[s] == 0 ? ~std::uint64_t{0} : 0;

@@ -20,20 +20,11 @@ constexpr double exact_noise = 0.03;    // [spacings] with less, each crease sta
 constexpr double proposal_reach = 1.3;  // [spacings] with more, one that neighbors may agree with
 constexpr double noisy_reach = 0.5;     // [standard deviations] more, since the point itself is off
 constexpr double corner_reach = 0.9;    // [spacings] of three sheets' common point
+constexpr double common_reach = 0.2;    // [spacings] of a further sheet from their common point
 constexpr double sure_reach = 0.45;     // [spacings] so close nobody overshadows
 constexpr double shadow_length = 0.6, shadow_depth = 0.35;  // [spacings] along and across the edge
 constexpr double border_gap = radians(150);                 // of directions without a neighbor
 constexpr std::size_t border_neighbors = 16;
-
-// Neighbors that are asked which sheets pass; more of them where noise hides the sheets.
-std::size_t cover_size(double noise) {
-  return noise < 0.03 ? 16 : noise < 0.1 ? 20 : noise < 0.15 ? 32 : noise < 0.3 ? 48 : 64;
-}
-
-// [rad] least deviation of an edge: 25 degrees at sensitivity 0, 8 at 0.5, 6 at 1.
-double least_deviation(double sensitivity) {
-  return radians(sensitivity < 0.5 ? 25 - 34 * sensitivity : 10 - 4 * sensitivity);
-}
 
 // Largest angle in the tangent plane of the point's sheet in which no neighbor lies.
 double widest_gap(std::span<const Vec3> points, std::span<const std::uint32_t> members,
@@ -65,13 +56,25 @@ void find_edge(const RoofTest& test, const SheetCover& cover, const Vec3& p, dou
       if (!crease) continue;
       const double away = distance(crease->point, p) / cover.sheet[a]->spacing;
       if (away > closest) continue;
-      const auto deviation = test.deviation(*crease, cover.on[a], cover.on[b]);
-      if (!deviation) continue;
+      const auto roof = test.find(*crease, cover.on[a], cover.on[b]);
+      if (!roof) continue;
       closest = away;
-      verdict = {PointKind::edge, *deviation, strength_of(away, limit, *deviation), crease->point,
-                 crease->direction};
+      verdict = {PointKind::edge,
+                 roof->deviation,
+                 strength_of(away, limit, roof->deviation),
+                 crease->point,
+                 crease->direction,
+                 roof->into,
+                 2};
     }
   }
+}
+
+std::uint8_t sheets_through(const Vec3& corner, const SheetCover& cover) {
+  std::uint8_t n = 0;
+  for (std::size_t s = 0; s < cover.count; ++s)
+    n += std::abs(height(*cover.sheet[s], corner)) < common_reach;
+  return std::max<std::uint8_t>(n, 3);
 }
 
 // Three sheets with a common point close by, if the point is on an edge already.
@@ -86,6 +89,7 @@ void find_corner_near(const SheetCover& cover, const Vec3& p, SheetVerdict& verd
         verdict.kind = PointKind::corner;
         verdict.crease_point = *corner;
         verdict.direction = {};
+        verdict.sheets = sheets_through(*corner, cover);
         return;
       }
 }
@@ -109,26 +113,11 @@ bool overshadowed(std::span<const Vec3> points, std::span<const std::uint32_t> n
   });
 }
 
-// What the neighbors' verdicts speak against: edges and borders that stand alone, and the farther
-// one of two points beside each other on an edge. All on one snapshot.
-void clean(std::span<const Vec3> points, const Neighborhoods& neighborhoods, const Spacing& spacing,
-           std::vector<SheetVerdict>& verdicts) {
-  std::vector<std::uint32_t> wrong;
-  for (std::uint32_t i = 0; i < verdicts.size(); ++i) {
-    if (verdicts[i].kind == PointKind::surface) continue;
-    const auto row = neighborhoods.of(i);
-    const auto near = row.first(std::min(border_neighbors, row.size()));
-    const auto like = std::count_if(near.begin(), near.end(), [&](std::uint32_t j) {
-      return sharp(verdicts[i]) ? sharp(verdicts[j]) : verdicts[j].kind == PointKind::border;
-    });
-    if (like < (sharp(verdicts[i]) ? 1 : 2) ||
-        overshadowed(points, near, verdicts, i, spacing.of_point[i]))
-      wrong.push_back(i);
-  }
-  for (const std::uint32_t i : wrong) verdicts[i] = {};
-}
-
 }  // namespace
+
+double least_deviation(double sensitivity) {
+  return radians(sensitivity < 0.5 ? 25 - 34 * sensitivity : 10 - 4 * sensitivity);
+}
 
 SheetVerdict judge_point(std::span<const Vec3> points, std::span<const Sheet> sheets,
                          std::span<const std::uint32_t> members, const SheetTolerances& tolerances,
@@ -145,7 +134,7 @@ SheetVerdict judge_point(std::span<const Vec3> points, std::span<const Sheet> sh
     find_corner_near(cover, p, verdict);
   } else if (cover.unexplained == 0 && members.size() > border_neighbors &&
              widest_gap(points, members, *cover.sheet[0]) > border_gap) {
-    verdict = {PointKind::border, 0, 1, p, {}};
+    verdict = {PointKind::border, 0, 1, p, {}, {}, 1};
   }
   return verdict;
 }
@@ -156,7 +145,7 @@ std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
                                        const SheetTolerances& tolerances,
                                        const SheetOptions& options, const Job& job) {
   std::vector<SheetVerdict> verdicts(points.size());
-  const std::size_t k = std::min(cover_size(tolerances.noise), neighborhoods.k);
+  const std::size_t k = std::min(tolerances.asked, neighborhoods.k);
   parallel_for(job, "detect", points.size(), grain, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> members;
     for (std::size_t i = begin; i < end; ++i) {
@@ -169,8 +158,25 @@ std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
   if (tolerances.noise >= exact_noise)
     verdicts = agree_on_creases(points, neighborhoods, spacing, verdicts,
                                 reach + noisy_reach * tolerances.noise, job);
-  clean(points, neighborhoods, spacing, verdicts);
+  clean_verdicts(points, neighborhoods, spacing, verdicts);
   return verdicts;
+}
+
+void clean_verdicts(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
+                    const Spacing& spacing, std::vector<SheetVerdict>& verdicts) {
+  std::vector<std::uint32_t> wrong;
+  for (std::uint32_t i = 0; i < verdicts.size(); ++i) {
+    if (verdicts[i].kind == PointKind::surface) continue;
+    const auto row = neighborhoods.of(i);
+    const auto near = row.first(std::min(border_neighbors, row.size()));
+    const auto like = std::count_if(near.begin(), near.end(), [&](std::uint32_t j) {
+      return sharp(verdicts[i]) ? sharp(verdicts[j]) : verdicts[j].kind == PointKind::border;
+    });
+    if (like < (sharp(verdicts[i]) ? 1 : 2) ||
+        overshadowed(points, near, verdicts, i, spacing.of_point[i]))
+      wrong.push_back(i);
+  }
+  for (const std::uint32_t i : wrong) verdicts[i] = {};
 }
 
 }  // namespace spigolo

@@ -4,6 +4,7 @@
 // spigolo/sheets/verdict.h - does a crease pass this point?
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,12 +19,18 @@ struct SheetOptions {
   double sensitivity = 0.5;  // 0 to 1: left fewer bends taken for edges, right more obtuse edges
 };
 
+/// [rad] least deviation of an edge: 25 degrees at sensitivity 0, 8 at 0.5, 6 at 1.
+double least_deviation(double sensitivity);
+
 struct SheetVerdict {
   PointKind kind = PointKind::surface;
   double deviation = 0;  // [rad] angle from flat, 0 for surface and border
   double strength = 0;   // 0 to 1: grows with the angle, shrinks with the distance to the crease
   Vec3 crease_point;     // nearest point on the crease, corner or (of a border) the point itself
   Vec3 direction;        // unit, along the crease; zero unless an edge
+  std::array<Vec3, 2> into{};  // of an edge: unit, square to it, from the crease into each sheet
+  std::uint8_t sheets = 1;     // that meet: 2 at an edge, 3 or more at a corner
+  std::int8_t convex = 0;      // 1 convex, -1 concave, 0 not known or no edge
 };
 
 /// Verdict on members[0] from the sheets of its neighborhood: an edge if two of them cross within
@@ -43,5 +50,10 @@ std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
                                        std::span<const Sheet> sheets,
                                        const SheetTolerances& tolerances,
                                        const SheetOptions& options, const Job& job = {});
+
+/// Drops what the neighbors' verdicts speak against, all from one snapshot: edges and borders that
+/// stand alone, and the farther one of two points beside each other on an edge.
+void clean_verdicts(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
+                    const Spacing& spacing, std::vector<SheetVerdict>& verdicts);
 
 }  // namespace spigolo

@@ -1,7 +1,7 @@
 // Copyright 2026 The spigolo authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// spigolo/mesh/union_find.h - disjoint sets whose members are of one kind or the opposite kind
+// spigolo/core/parity_sets.h - disjoint sets whose members are of one kind or the opposite kind
 #pragma once
 
 #include <algorithm>

@@ -1,0 +1,84 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/sheets/refine.cpp
+#include "spigolo/sheets/refine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "spigolo/core/parallel.h"
+#include "spigolo/sheets/sheet_probe.h"
+
+namespace spigolo {
+namespace {
+
+constexpr std::size_t grain = 32;
+constexpr double reach = 0.66;        // [spacings] a crease this close passes the point
+constexpr double noisy_reach = 0.5;   // [standard deviations] more, since the point itself is off
+constexpr double corner_reach = 0.9;  // [spacings]
+constexpr std::size_t asked = 8;      // neighbors that make a point a candidate
+
+bool sharp(const SheetVerdict& v) {
+  return v.kind == PointKind::edge || v.kind == PointKind::corner;
+}
+
+// Points beside a crease that the first look saw.
+std::vector<std::uint32_t> candidates(const SheetModel& model) {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < model.size(); ++i) {
+    const auto row = model.prepared.neighborhoods.of(i);
+    const auto near = row.first(std::min(asked, row.size()));
+    if (sharp(model.verdicts[i]) || std::any_of(near.begin(), near.end(), [&](std::uint32_t j) {
+          return sharp(model.verdicts[j]);
+        }))
+      found.push_back(i);
+  }
+  return found;
+}
+
+SheetVerdict verdict_by(const CreasePlace& place, const Vec3& p, double spacing, double limit) {
+  SheetVerdict verdict;
+  const double away = distance(place.crease.point, p) / spacing;
+  if (place.corner && distance(*place.corner, p) < corner_reach * spacing) {
+    verdict.kind = PointKind::corner;
+    verdict.crease_point = *place.corner;
+    verdict.sheets = 3;
+  } else if (away <= limit) {
+    verdict.kind = PointKind::edge;
+    verdict.crease_point = place.crease.point;
+    verdict.direction = place.crease.direction;
+    verdict.into = place.into;
+    verdict.sheets = 2;
+  } else {
+    return verdict;
+  }
+  verdict.deviation = place.deviation;
+  verdict.strength = std::clamp(1 - 0.5 * away / limit, 0.01, 1.0);
+  return verdict;
+}
+
+}  // namespace
+
+void refine_creases(SheetModel& model, const SheetOptions& options, const Job& job) {
+  const KdTree tree(model.prepared.cloud);
+  const double noise = model.tolerances.noise;
+  const std::vector<std::uint32_t> near = candidates(model);
+  std::vector<SheetVerdict> refined(near.size());
+  parallel_for(job, "creases", near.size(), grain, [&](std::size_t begin, std::size_t end) {
+    SheetProbe probe(model, tree, probe_reach(noise));
+    for (std::size_t c = begin; c < end; ++c) {
+      const std::uint32_t i = near[c];
+      const Vec3& p = model.points()[i];
+      const auto place = find_nearest_crease(probe.look(p), p);
+      if (place && place->deviation >= least_deviation(options.sensitivity))
+        refined[c] =
+            verdict_by(*place, p, model.prepared.spacing.of_point[i], reach + noisy_reach * noise);
+      if (refined[c].kind == PointKind::surface) refined[c] = model.verdicts[i];
+    }
+  });
+  for (std::size_t c = 0; c < near.size(); ++c) model.verdicts[near[c]] = refined[c];
+}
+
+}  // namespace spigolo

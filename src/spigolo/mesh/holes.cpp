@@ -5,8 +5,8 @@
 // the boundary of a polyhedron, 1995)
 #include <algorithm>
 
+#include "spigolo/core/parity_sets.h"
 #include "spigolo/mesh/trim.h"
-#include "spigolo/mesh/union_find.h"
 
 namespace spigolo {
 namespace {

@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/core/parity_sets.h"
 #include "spigolo/mesh/openness.h"
-#include "spigolo/mesh/union_find.h"
 
 namespace spigolo {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
+#include "spigolo/core/parity_sets.h"
 #include "spigolo/mesh/openness.h"
-#include "spigolo/mesh/union_find.h"
 
 namespace spigolo {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "spigolo/mesh/union_find.h"
+#include "spigolo/core/parity_sets.h"
 
 namespace spigolo {
 namespace {

@@ -5,7 +5,7 @@
 #include "spigolo/pipeline/blend.h"
 
 #include <cstdlib>
-#include <limits>
+#include <optional>
 #include <utility>
 
 #include "blend_report.h"
@@ -17,6 +17,7 @@
 #include "spigolo/cad/cad_file.h"
 #include "spigolo/cad/step_writer.h"
 #include "spigolo/core/error.h"
+#include "spigolo/pipeline/mesh.h"
 #include "verbs.h"
 
 namespace spigolo {
@@ -72,7 +73,9 @@ void declare(CommandLine& line, BlendCommand& c) {
       ->check(CLI::IsMember({"tangent", "linear"}))
       ->type_name("NAME");
   line.switch_parameter("--sharp", c.sharp, "detect sharp edges of the result and keep them");
-  line.app().add_option("--mesh", c.mesh, "also a mesh of the result")->type_name("OUT2");
+  line.app()
+      .add_option("--mesh", c.mesh, "also a mesh of the result: .ply .obj .stl .off")
+      ->type_name("OUT2");
 }
 
 // "-x" is a direction here, no option.
@@ -136,9 +139,10 @@ void check_outputs(const BlendCommand& c) {
 
 void check_door(BlendCommand& c) {
   check_outputs(c);
-  if (!c.mesh.empty())
-    throw UsageError("--mesh: this version (" SPIGOLO_VERSION
-                     ") cannot mesh the result yet; leave it out and take the points");
+  if (!c.mesh.empty()) {
+    file_format(c.mesh, FileUse::write_mesh);
+    check_output(c.mesh, c.common);
+  }
   c.options.method = c.method == "linear" ? BlendMethod::linear : BlendMethod::tangent;
   for (const std::string& start : c.starts) c.options.starts.push_back(parse_start(start));
   c.options.radius = positive(c.radius, "--radius");
@@ -191,6 +195,17 @@ void write_outputs(const BlendCommand& c, const CadFile& cad, const SharpBlend& 
     if (!is_step(output)) write_surface(output, FileFormat::ply, {std::move(cloud), {}}, run);
 }
 
+// The collar is never a crease; edges of the cloud are.
+MeshedCloud mesh_blend(const std::vector<Vec3>& cloud, const BlendCommand& c, SharpBlend& result,
+                       Run& run) {
+  if (!c.sharp) result.features = label_blend(cloud, result.blend, run.job());
+  MeshOptions options;
+  options.features = &result.features;
+  MeshedCloud meshed = mesh_cloud(result.blend.points, options, run.job());
+  for (const std::string& warning : meshed.warnings) run.warn(warning);
+  return meshed;
+}
+
 Json parameters_used(const CommandLine& line, const BlendCommand& c) {
   Json json = line.parameters();
   for (const char* name : {"radius", "height", "width"})
@@ -225,15 +240,22 @@ void run_blend(const std::vector<std::string>& arguments) {
     result.blend = blend(cloud.points, face, c.options, run.job());
   for (const std::string& warning : result.blend.warnings) run.warn(warning);
   const double seconds_blend = run.lap();
+  std::optional<MeshedCloud> meshed;
+  if (!c.mesh.empty()) meshed = mesh_blend(cloud.points, c, result, run);
+  const double seconds_mesh = run.lap();
   write_outputs(c, cad, result, run);
+  if (meshed)
+    write_surface(c.mesh, file_format(c.mesh, FileUse::write_mesh), meshed->sharp.mesh, run);
 
   const Json parameters = parameters_used(line, c);
   save_parameters(c.common, help, parameters);
   Json json = blend_json(result.blend, c.method, parameters);
   json["seconds"] = {{"read", seconds_read},
                      {"blend", seconds_blend},
+                     {"mesh", seconds_mesh},
                      {"write", run.lap()},
                      {"total", run.total_seconds()}};
+  if (meshed) json["mesh"] = to_json(meshed->sharp.check);
   run.print(json, blend_text(result.blend, c.method, run.total_seconds()),
             c.outputs.front() == "-");
 }

@@ -29,6 +29,7 @@ Json border_json(const BorderReport& b) {
           {"normal_error_deg",
            {{"nurbs", degrees_json(q.face_error)}, {"cloud", degrees_json(q.cloud_error)}}},
           {"ripple", q.ripple},
+          {"turn_deg", degrees_json(q.turn)},
           {"nearest_cv", q.nearest_cv},
           {"nearest_min", q.nearest_min},
           {"removed", b.removed},

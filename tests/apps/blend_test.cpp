@@ -111,6 +111,17 @@ TEST_F(BlendVerb, sharpLabelsEdgesButNeverTheCollar) {
   EXPECT_EQ(beside, 0u);
 }
 
+TEST_F(BlendVerb, meshIsOneSoundPiece) {
+  const Outcome out =
+      run({cloud, tube, "-o", path("out.ply"), "--mesh", path("mesh.ply"), "--json"});
+  ASSERT_EQ(out.status, 0) << out.err;
+  const Json mesh = out.json()["mesh"];
+  EXPECT_EQ(mesh["components"], 1);
+  EXPECT_TRUE(mesh["manifold"].get<bool>());
+  EXPECT_EQ(mesh["self_intersections"], 0);
+  EXPECT_GT(read_mesh(path("mesh.ply")).triangles.size(), 10000u);
+}
+
 TEST_F(BlendVerb, linearIsThere) {
   const Outcome out = run({cloud, tube, "--method", "linear", "--height", "4", "--width", "5.7",
                            "-o", path("out.ply"), "--json"});
@@ -142,7 +153,7 @@ TEST_F(BlendVerb, badInputsEachWithTheirOwnMessage) {
   expect_failure(4, "do not meet", {cloud, away, "--start", "v1", "-o", out});
   expect_failure(4, "wider than the face",
                  {cloud, tube, "--height", "40", "--width", "3", "-o", out});
-  expect_failure(2, "cannot mesh", {cloud, tube, "--mesh", path("m.ply"), "-o", out});
+  expect_failure(2, "m.xyz", {cloud, tube, "--mesh", path("m.xyz"), "-o", out});
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ namespace spigolo {
 namespace {
 
 constexpr std::size_t grain = 256;
+constexpr double largest_hole = 0.95;  // [spacings] from a candidate to the nearest that stays
 
 // Twice the largest possible radius of discs at that density: the reach of the weight.
 double reach_of(double spacing) { return 2 * spacing * std::sqrt(1 / (2 * std::sqrt(3.0))); }
@@ -135,6 +136,22 @@ class Heap {
   std::vector<std::uint32_t> order_, place_;
 };
 
+// Candidates in places that have become too empty come back, the first in canonical order first.
+void fill_holes(const OrderedCloud& cloud, const Crowd& crowd, double largest,
+                const FixedPoints& fixed, std::vector<char>& kept) {
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (kept[i]) continue;
+    bool covered = false;
+    for (std::uint64_t k = crowd.begin[i]; k < crowd.begin[i + 1] && !covered; ++k) {
+      const std::uint32_t other = crowd.links[k].other;
+      covered = kept[other] &&
+                squared_distance(cloud.points[i], cloud.points[other]) <= largest * largest;
+    }
+    if (!covered) fixed(cloud.points[i] + cloud.origin, largest, [&](double) { covered = true; });
+    if (!covered) kept[i] = 1;
+  }
+}
+
 }  // namespace
 
 std::vector<char> eliminate(std::span<const Vec3> candidates, std::size_t wanted, double spacing,
@@ -155,10 +172,13 @@ std::vector<char> eliminate(std::span<const Vec3> candidates, std::size_t wanted
       heap.lightened(link.other);
     }
   }
+  std::vector<char> kept(cloud.size());
+  for (std::uint32_t i = 0; i < kept.size(); ++i) kept[i] = heap.holds(i);
+  fill_holes(cloud, crowd, largest_hole * spacing, fixed, kept);
   std::vector<char> first_there(cloud.size(), 1);  // of candidates in one place only one stays
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::uint32_t at = cloud.rank[i];
-    if (at == no_point || !heap.holds(at) || !first_there[at]) continue;
+    if (at == no_point || !kept[at] || !first_there[at]) continue;
     first_there[at] = 0;
     stays[i] = 1;
   }

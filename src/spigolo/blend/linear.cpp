@@ -207,6 +207,7 @@ LinearBorder linear_border(const CloudSide& cloud, const TracedStart& traced,
     Strand s;
     s.alpha = p.point;
     s.alpha_normal = p.normal;
+    s.toward_face = -normalized(p.onward);
     s.alpha_at = a.along;
     s.line.cross = a.cross;
     out.loop.strands.push_back(s);
@@ -219,6 +220,8 @@ LinearBorder linear_border(const CloudSide& cloud, const TracedStart& traced,
     const OrientedFoot foot = orient_foot(cloud.project(s.beta, scratch), s.beta, up);
     s.beta_normal = foot.found ? foot.normal : normalized(up);
     s.x = (s.alpha + s.beta) / 2;
+    const Vec3 away = s.beta - s.alpha;
+    s.toward_cloud = normalized(away - s.beta_normal * dot(away, s.beta_normal));
   }
   Random random(seed);
   std::vector<FilledPoint> collar = lines(out.loop, filled_betas(out.loop, step), step, border);

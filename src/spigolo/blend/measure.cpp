@@ -18,6 +18,8 @@ constexpr double probe_step = 0.5;
 constexpr double longest_wave = 8;
 constexpr std::array<double, 3> probed_shares = {0.25, 0.5, 0.75};
 constexpr std::size_t grain = 8;
+constexpr std::size_t profile_every = 4;  // strands
+constexpr int beyond_border = 3;          // probe steps
 
 // The MLS surface of everything.
 class Union {
@@ -140,6 +142,48 @@ void measure_borders(const Union& all, const BorderLoop& loop, CollarQuality& qu
   }
 }
 
+// From a little before alpha to a little behind beta, on the surface of everything.
+std::vector<Vec3> profile(const BorderLoop& loop, const CollarPlace& place, std::size_t i,
+                          double step) {
+  const Strand& s = loop.strands[i];
+  const double length = distance(s.alpha, s.x) + distance(s.x, s.beta);
+  const int steps = std::max(2, static_cast<int>(length / step));
+  std::vector<Vec3> points;
+  for (int k = beyond_border; k > 0; --k) points.push_back(s.alpha + s.toward_face * (k * step));
+  for (int k = 0; k <= steps; ++k)
+    points.push_back(place(static_cast<double>(i), static_cast<double>(k) / steps));
+  for (int k = 1; k <= beyond_border; ++k) points.push_back(s.beta + s.toward_cloud * (k * step));
+  return points;
+}
+
+double largest_turn(const Union& all, const std::vector<Vec3>& points, double spacing) {
+  MlsScratch scratch;
+  std::vector<SurfacePoint> feet;
+  for (const Vec3& p : points) {
+    const SurfacePoint foot = all.project(p, scratch);
+    if (on_surface(foot.status)) feet.push_back(foot);
+  }
+  double largest = 0;
+  for (std::size_t i = 2; i < feet.size(); ++i) {
+    const double way = distance(feet[i].position, feet[i - 2].position);
+    if (way < 0.25 * spacing) continue;
+    largest = std::max(largest, axial_angle(feet[i].normal, feet[i - 2].normal) * spacing / way);
+  }
+  return largest;
+}
+
+void measure_turn(const Union& all, const BorderLoop& loop, const CollarPlace& place,
+                  double spacing, CollarQuality& quality, const Job& job) {
+  const std::size_t profiles = (loop.strands.size() + profile_every - 1) / profile_every;
+  std::vector<double> turn(profiles);
+  parallel_for(job, "", profiles, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      turn[i] =
+          largest_turn(all, profile(loop, place, i * profile_every, probe_step * spacing), spacing);
+  });
+  for (const double t : turn) quality.turn.add(t);
+}
+
 void measure_density(const Union& all, std::span<const Vec3> collar, double spacing,
                      CollarQuality& quality) {
   MlsScratch scratch;
@@ -167,6 +211,7 @@ CollarQuality measure_collar(std::span<const Vec3> points, std::size_t collar_po
   const double d = cloud.spacing();
   const Union all(points, cloud, job);
   measure_borders(all, loop, quality);
+  measure_turn(all, loop, place, d, quality, job);
   quality.ripple = ripple_of(all, loop, place, d, job);
   quality.gap = gap_of(all, loop, place, d, job);
   measure_density(all, points.first(collar_points), d, quality);

@@ -73,6 +73,7 @@ std::vector<Section> sections(const Arguments& a) {
           {"hardships", hardships},
           {"real",
            [=](Report& r) { a.data.empty() ? no_data(r) : real_clouds(r, a.data, a.pictures); }},
+          {"chapter5", [=](Report& r) { chapter5(r, a.data, shipped); }},
           {"speed", [=](Report& r) { speed(r, a.data); }},
           {"peers", [=](Report& r) { a.peers ? rivals_versions(r, {}) : no_peers(r); }},
           {"peers-detect", [=](Report& r) { a.peers ? rivals_detect(r, {}, a.data) : void(); }},

@@ -18,6 +18,9 @@ void noise_map(Report& report, const std::filesystem::path& pictures);
 void fillets(Report& report);
 void creases(Report& report);
 void hardships(Report& report);
+/// data: folder with fandisk.off, may be empty.
+void chapter5(Report& report, const std::filesystem::path& data,
+              const std::filesystem::path& pictures);
 void speed(Report& report, const std::filesystem::path& data);  // data may be empty
 /// Files of the folder `data` (see docs/benchmarks.md); pictures go to `pictures`.
 void real_clouds(Report& report, const std::filesystem::path& data,

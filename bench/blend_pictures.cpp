@@ -39,6 +39,8 @@ void draw_blends(const std::vector<PictureOf>& blends, const std::filesystem::pa
   options.width = 1600;
   options.height = 400 * rows;
   options.view.direction = parse_view_direction("25,35");
+  options.view.target = Vec3{20.5, 20.5, 46};
+  options.view.radius = 21;
   options.axes = options.scale_bar = options.legend = false;
   const std::vector<std::byte> png = encode_png(render_panels(panels, options));
   std::filesystem::create_directories(file.parent_path());

@@ -120,7 +120,8 @@ BlendScene sheet() {
                                              return Vec3{wave(x) + 0.2 * (y - 8), x, y - 8};
                                            })),
                .keep = ex};
-  s.enclosed = [](const Vec3& p) { return p.x - wave(p.y); };
+  // The wave's slope makes the true distance a little less.
+  s.enclosed = [](const Vec3& p) { return 0.97 * (p.x - wave(p.y)); };
   return s;
 }
 
@@ -152,14 +153,14 @@ BlendScene tube_on_cube(double noise_percent, std::uint64_t seed) {
   return s;
 }
 
-BlendScene oblique_tube(double angle) {
+BlendScene oblique_tube(double angle, double radius) {
   const Vec3 axis{std::cos(radians(angle)), 0, std::sin(radians(angle))}, foot{60.3, 40.3, 0};
   const double length = 60 / std::sin(radians(angle)) + 20;
-  BlendScene s{.name = number(angle) + " degrees, wide plane",
+  BlendScene s{.name = number(angle) + " degrees, radius " + number(radius, 1) + ", plane",
                .cloud = plane_cloud(151, 81),
-               .face = face_of(nurbs_tube({foot - axis * (length / 2), axis}, 4.1, length))};
+               .face = face_of(nurbs_tube({foot - axis * (length / 2), axis}, radius, length))};
   s.radius = 3, s.height = 3;
-  s.enclosed = [=](const Vec3& p) { return axis_distance(p, foot, axis) - 4.1; };
+  s.enclosed = [=](const Vec3& p) { return axis_distance(p, foot, axis) - radius; };
   return s;
 }
 
@@ -174,6 +175,10 @@ std::vector<BlendScene> blend_scenes(const std::string& data) {
                                     slab(2.1),
                                     sheet()};
   for (const double angle : {60.0, 45.0, 30.0, 20.0, 15.0}) scenes.push_back(oblique_tube(angle));
+  for (const double angle : {75.0, 52.0, 37.0, 25.0, 17.0}) {
+    scenes.push_back(oblique_tube(angle, 8.7));
+    scenes.back().name += ", kept apart";
+  }
   if (!data.empty()) scenes.push_back(fandisk(data));
   return scenes;
 }

@@ -30,8 +30,8 @@ std::vector<Vec3> cube_cloud(double noise_percent = 0, std::uint64_t seed = 1);
 
 /// A tube of radius 8.2 that stands on the cube's top; options are those of the sweeps.
 BlendScene tube_on_cube(double noise_percent = 0, std::uint64_t seed = 1);
-/// A tube of radius 4.1 that leaves a wide plane at that angle [degrees].
-BlendScene oblique_tube(double angle);
+/// A tube that leaves a wide plane at that angle [degrees].
+BlendScene oblique_tube(double angle, double radius = 4.1);
 /// All cases of the table; data: folder with fandisk.off, may be empty.
 std::vector<BlendScene> blend_scenes(const std::string& data);
 

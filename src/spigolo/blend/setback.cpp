@@ -18,10 +18,10 @@ constexpr double usual_radius = 3, radius_per_smoothing = 2;
 constexpr double usual_height = 3;  // of the linear collar; its width is sqrt(2) times that, so
                                     // that on a plane both setbacks are equal
 constexpr double least_setback = 2.5, least_possible = 1.5;
-constexpr double window = 5;         // half of the smoothing window along X
-constexpr double room_to_start = 1;  // the face goes on this far behind the collar
-constexpr double touching = 0.05;    // sine of the angle of two surfaces that nearly touch
-constexpr double sharpest = 1e-3;    // [rad] angles below count as this
+constexpr double window_per_radius = 6;  // half of the smoothing window along X
+constexpr double room_to_start = 1;      // the face goes on this far behind the collar
+constexpr double touching = 0.05;        // sine of the angle of two surfaces that nearly touch
+constexpr double sharpest = 1e-3;        // [rad] angles below count as this
 constexpr int line_samples = 256;
 
 std::string spacings_text(double x) {
@@ -138,7 +138,8 @@ void set_lengths(const Isolines& isolines, const Setbacks& setbacks, double spac
     for (std::size_t i = 0; i < n; ++i)
       length[i] = std::min(length[i], gap.nearest(loop.strands[i].x, scratch).distance / 2);
   }
-  length = smoothed(length, parts_of(loop), window * spacing, loop.closed);
+  if (setbacks.radius > 0)
+    length = smoothed(length, parts_of(loop), window_per_radius * setbacks.radius, loop.closed);
   for (std::size_t i = 0; i < n; ++i) {
     loop.strands[i].height = std::min(length[i], most[i]);
     loop.strands[i].width = setbacks.radius > 0 ? length[i] : setbacks.width;

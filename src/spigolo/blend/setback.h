@@ -26,8 +26,9 @@ Setbacks choose_setbacks(const BlendOptions& options, const CloudSide& cloud);
 /// Height and width of every strand. A ball of the radius that touches both sides touches them at
 /// R cot(angle / 2) from X; at least 2.5 spacings, at most what the face offers before its start
 /// and half of the gap to another border (thesis §5.4.2.6 asks for more room in close curves).
-/// Lengths are smoothed along X over some ten spacings. others: points of the other intersections.
-/// Throws NoResultError if the face is too short for the least collar, or for the one asked for.
+/// Lengths are smoothed along X over six radii to both sides. others: points of the other
+/// intersections. Throws NoResultError if the face is too short for the least collar, or for the
+/// one asked for.
 void set_lengths(const Isolines& isolines, const Setbacks& setbacks, double spacing,
                  std::span<const Vec3> others, BorderLoop& loop);
 

@@ -4,6 +4,7 @@
 // apps/blend.cpp - spigolo blend: a scan and a CAD face made one cloud
 #include "spigolo/pipeline/blend.h"
 
+#include <array>
 #include <cstdlib>
 #include <optional>
 #include <utility>
@@ -25,6 +26,10 @@ namespace {
 
 // Index, neighbors, normals and the result; thinning holds some hundred bytes a new point.
 constexpr std::size_t bytes_per_point = 1200;
+
+// Cloud, face, collar.
+constexpr std::array<std::array<double, 3>, 3> source_colors = {
+    {{214, 217, 222}, {150, 180, 214}, {240, 165, 80}}};
 
 const VerbHelp help = {
     "blend", "Blend a cloud with a NURBS face of a STEP or IGES file by a smooth collar.",
@@ -176,6 +181,12 @@ PointCloud cloud_of(const Blend& blend) {
   add("ny", [&](std::size_t i) { return blend.normals[i].y; });
   add("nz", [&](std::size_t i) { return blend.normals[i].z; });
   add("scalar_source", [&](std::size_t i) { return static_cast<double>(blend.source[i]); });
+  const std::array<const char*, 3> channels = {"red", "green", "blue"};
+  for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = source_colors[static_cast<std::size_t>(blend.source[i])][channel];
+    cloud.set(channels[channel], ScalarType::uint8, values);
+  }
   return cloud;
 }
 

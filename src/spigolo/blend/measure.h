@@ -30,7 +30,7 @@ struct MeanMax {
 struct CollarQuality {
   MeanMax face_error;   // [rad] of the MLS normal of all at the alphas, from that of the face
   MeanMax cloud_error;  // [rad] at the betas, from the normal of the cloud's own MLS surface
-  MeanMax turn;           // [rad] of the MLS normal over one spacing, at most along each profile
+  MeanMax turn;         // [rad] of the MLS normal over one spacing, at most along each profile
   double ripple = 0;  // [spacings] rms of the MLS surface's waves along the collar, shorter than 8
   double gap = 0;     // [spacings] from a place of the collar to the nearest point, at most
   double nearest_cv = 0, nearest_min = 0;  // spread and least, in spacings, of the distance of

@@ -21,8 +21,6 @@ constexpr double widest_gap = 0.75;     // of X from line to line, before lines 
 constexpr double jump = 4;              // such a gap that stays is a jump
 constexpr double crossing_reach = 2.5;  // a crossing has samples within
 constexpr double exactness = 1e-6;
-constexpr double least_turn = 0.05;  // a foot's normal keeps its sign if it turns less
-                                     // than a right angle by this sine
 constexpr int most_rounds = 8, most_bisections = 60;
 constexpr std::size_t most_steps = 1000000, grain = 4;
 

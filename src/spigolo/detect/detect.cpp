@@ -5,6 +5,8 @@
 #include "spigolo/detect/detect.h"
 
 #include <chrono>
+#include <cmath>
+#include <string>
 #include <utility>
 
 #include "spigolo/core/error.h"
@@ -62,6 +64,22 @@ void warn(const OrderedCloud& cloud, Detection& result) {
         " places have all their neighbors on one line; labelled surface");
 }
 
+// What no method can see at this noise: measured on wedges (docs/detection.md).
+void warn_of_noise(Detection& result) {
+  constexpr double noticeable = 0.15, too_much = 0.4;  // [spacings]
+  constexpr double hidden_degrees = 150;               // of bend, per spacing of noise
+  if (result.noise < noticeable) return;
+  const auto percent = std::to_string(static_cast<int>(std::lround(100 * result.noise)));
+  const auto hidden = std::to_string(static_cast<int>(std::lround(hidden_degrees * result.noise)));
+  result.warnings.push_back(
+      result.noise < too_much
+          ? "noise of " + percent + " % of the spacing hides edges bent by less than about " +
+                hidden + " degrees"
+          : "noise of " + percent +
+                " % of the spacing is beyond what edges can be told from: many are missed, some "
+                "are chance; scan more densely or average several scans");
+}
+
 class Stopwatch {
  public:
   double lap() {
@@ -90,6 +108,7 @@ Detection detect(std::span<const Vec3> points, const DetectOptions& options, con
                                : features_by_gauss_map(prepared, options, job, result);
   result.features = in_input_order(prepared.cloud, points, ordered);
   warn(prepared.cloud, result);
+  warn_of_noise(result);
   result.seconds_detect = watch.lap();
   return result;
 }

@@ -11,6 +11,7 @@
 #include "spigolo/sheets/convexity.h"
 #include "spigolo/sheets/gaps.h"
 #include "spigolo/sheets/refine.h"
+#include "spigolo/sheets/strength.h"
 #include "spigolo/sheets/tips.h"
 
 namespace spigolo {
@@ -57,6 +58,7 @@ SheetModel build_sheet_model(PreparedCloud prepared, const SheetOptions& options
   }
   const SheetCloud cloud{p.cloud.points, p.neighborhoods, p.spacing, model.own};
   find_tips(cloud, model.tolerances, model.verdicts);
+  rate_verdicts(cloud, model.tolerances, model.verdicts);
   note_convexity(cloud, model.tolerances, model.verdicts, job);
   return model;
 }

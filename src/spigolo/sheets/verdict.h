@@ -25,7 +25,7 @@ double least_deviation(double sensitivity);
 struct SheetVerdict {
   PointKind kind = PointKind::surface;
   double deviation = 0;  // [rad] angle from flat, 0 for surface and border
-  double strength = 0;   // 0 to 1: grows with the angle, shrinks with the distance to the crease
+  double strength = 0;   // 0 to 1: how likely it is right, see rate_verdicts
   Vec3 crease_point;     // nearest point on the crease, corner or (of a border) the point itself
   Vec3 direction;        // unit, along the crease; zero unless an edge
   std::array<Vec3, 2> into{};  // of an edge: unit, square to it, from the crease into each sheet

@@ -17,6 +17,7 @@
 namespace spigolo {
 namespace {
 
+constexpr double bead_share = 0.012;  // size of a bead to that of the picture
 constexpr double kept = 0.98;  // share of the values the colours span; strays take the end colours
 
 // kind, rgb, none or the name of an attribute, for what the user wrote.
@@ -106,6 +107,33 @@ Scene make_scene(const TriangleMesh& mesh, const SceneOptions& options) {
     const Attribute& attribute = need(cloud, color);
     scene.color_bar = bar_for(attribute, options);
     add_colored(scene, mesh, colors_of(attribute.values, *scene.color_bar));
+  }
+  return scene;
+}
+
+Scene make_line_scene(const Polylines& polylines) {
+  Scene scene;
+  LineLayer& layer = scene.lines.emplace_back();
+  std::vector<std::size_t> ends(polylines.points.size(), 0);
+  for (const auto& line : polylines.lines) {
+    auto& points = layer.lines.emplace_back();
+    for (const std::uint32_t v : line) points.push_back(polylines.points[v]);
+    layer.colors.push_back(curve_color(layer.colors.size()));
+    const bool closed = line.front() == line.back();
+    if (!closed) ++ends[line.front()], ++ends[line.back()];
+  }
+  PointLayer beads;
+  for (std::size_t v = 0; v < ends.size(); ++v)
+    if (ends[v] > 0) beads.points.push_back(polylines.points[v]);
+  beads.color = kind_color(PointKind::corner);
+  beads.style = PointStyle::beads;
+  const Vec3 size = bounding_box(polylines.points).size();
+  beads.spacing = bead_share * std::max({size.x, size.y, size.z});
+  scene.legend.push_back({"curves", layer.colors.empty() ? beads.color : layer.colors.front(),
+                          polylines.lines.size()});
+  if (!beads.points.empty()) {
+    scene.legend.push_back({"ends and corners", beads.color, beads.points.size()});
+    scene.points.push_back(std::move(beads));
   }
   return scene;
 }

@@ -4,6 +4,7 @@
 // apps/render.cpp - spigolo render: a picture without a screen
 #include "spigolo/render/render.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <utility>
@@ -69,7 +70,9 @@ void declare_look(CommandLine& line, RenderCommand& c) {
 }
 
 void declare(CommandLine& line, RenderCommand& c) {
-  line.app().add_option("FILE", c.files, "clouds and meshes; - is standard input")->required();
+  line.app()
+      .add_option("FILE", c.files, "clouds, meshes and lines; - is standard input")
+      ->required();
   line.app().add_option("-o,--output", c.output, "the picture")->required()->type_name("PIC.png");
   declare_view(line, c);
   declare_look(line, c);
@@ -122,16 +125,29 @@ std::string panel_title(const RenderCommand& c, std::size_t i) {
   return c.files.size() == 1 ? "" : std::filesystem::path(c.files[i]).filename().string();
 }
 
+bool has_lines(const ReadReport& seen) {
+  return seen.lines > 0 ||
+         std::find(seen.skipped.begin(), seen.skipped.end(), "element edge") != seen.skipped.end();
+}
+
+Scene read_scene(const std::string& path, const SceneOptions& options, Run& run) {
+  ReadReport seen;
+  const TriangleMesh mesh = read_surface(path, run, seen);
+  run.check_memory(mesh.vertices.size(), bytes_per_point);
+  if (bounding_box(mesh.vertices.points).empty())
+    run.warn(path + " has no point with finite coordinates; there is nothing to see of it");
+  if (path != "-" && mesh.triangles.empty() && has_lines(seen)) {
+    const FileBytes file(path);
+    return make_line_scene(read_polylines(file.view(), file_format(path, FileUse::read_cloud)));
+  }
+  warn(seen, path, run);
+  return make_scene(mesh, options);
+}
+
 std::vector<Panel> read_panels(const RenderCommand& c, Run& run) {
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < c.files.size(); ++i) {
-    ReadReport seen;
-    const TriangleMesh mesh = read_surface(c.files[i], run, seen);
-    warn(seen, c.files[i], run);
-    run.check_memory(mesh.vertices.size(), bytes_per_point);
-    if (bounding_box(mesh.vertices.points).empty())
-      run.warn(c.files[i] + " has no point with finite coordinates; there is nothing to see of it");
-    Scene scene = make_scene(mesh, c.scene);
+    Scene scene = read_scene(c.files[i], c.scene, run);
     if (c.overlay && i > 0)
       merge(panels.front().scene, std::move(scene));
     else

@@ -45,15 +45,21 @@ INSTANTIATE_TEST_SUITE_P(Shapes, KnownShape,
                                            Known{"l-prism", Sampling::lattice, 18, 12, 18, 0},
                                            Known{"l-prism", Sampling::blue, 18, 12, 18, 0},
                                            Known{"steps", Sampling::blue, 24, 16, 24, 0},
+                                           Known{"star", Sampling::blue, 30, 20, 30, 0},
                                            Known{"pyramid", Sampling::blue, 8, 5, 8, 0},
+                                           Known{"boxhole", Sampling::blue, 14, 8, 12, 2},
+                                           Known{"l-prism", Sampling::random, 18, 12, 18, 0},
+                                           Known{"cylinder", Sampling::random, 2, 0, 0, 2},
+                                           Known{"cone", Sampling::random, 1, 0, 0, 1},
                                            Known{"cylinder", Sampling::blue, 2, 0, 0, 2},
                                            Known{"cone", Sampling::blue, 1, 0, 0, 1},
                                            Known{"lens", Sampling::blue, 1, 0, 0, 1}),
                          [](const auto& one) {
                            std::string name = one.param.shape;
                            std::replace(name.begin(), name.end(), '-', '_');
-                           return name +
-                                  (one.param.sampling == Sampling::lattice ? "_lattice" : "_blue");
+                           return name + (one.param.sampling == Sampling::lattice  ? "_lattice"
+                                          : one.param.sampling == Sampling::random ? "_random"
+                                                                                   : "_blue");
                          });
 
 TEST(Trace, theRimOfAHoleIsItsCircle) {
@@ -74,6 +80,21 @@ TEST(Trace, crossingCylindersMeetInClosedCurvesWithoutCorners) {
   EXPECT_EQ(t.network().curves.size(), 6u);
   for (const FeatureCurve& curve : t.network().curves) EXPECT_TRUE(curve.closed);
   EXPECT_EQ(count_shape(t.network(), CurveShape::circle), 4u);
+}
+
+// Standard deviation .25 of the distance between samples.
+TEST(Trace, noiseMovesTheCurvesLessThanThePoints) {
+  for (const char* shape : {"box", "boxhole"}) {
+    const Traced t = trace_shape(shape, Sampling::blue, 0, 0.25);
+    const FeatureCurves& network = t.network();
+    EXPECT_EQ(network.corners.size(), 8u) << shape;
+    EXPECT_EQ(network.curves.size(), t.synth.shape.creases.size()) << shape;
+    double sum = 0;
+    std::size_t count = 0;
+    for (const FeatureCurve& curve : network.curves)
+      for (const Vec3& p : curve.points) sum += edge_distance(t.synth.shape, p), ++count;
+    EXPECT_LT(sum / static_cast<double>(count), 0.4 * 0.25 * t.synth.spacing) << shape;
+  }
 }
 
 TEST(Trace, smoothShapesHaveNoCurves) {

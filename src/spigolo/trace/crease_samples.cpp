@@ -25,6 +25,7 @@ constexpr double kin_cosine = 0.7;      // of directions along one crease
 constexpr double kin_reach = 0.6;       // [spacings] off the line of one crease
 constexpr double kin_slope = 0.35;      // more of it for each spacing along: creases bend
 constexpr double stray = 0.25;          // [spacings] off what the neighbors make of the crease
+constexpr double exact_stray = 0.03;    // [spacings] the same where samples do not scatter
 constexpr int least_kin = 2;            // a sample that fewer agree with is chance
 
 double window_of(double scatter) {
@@ -69,8 +70,9 @@ CreaseSample settled(const CreaseSample& sample, std::span<const Vec3> kin, doub
   CreaseSample result = sample;
   const LocalCurve fit = fit_local_curve(kin, sample.place, sample.direction);
   const double off = distance(fit.place, sample.place);
-  const bool agreed = static_cast<int>(kin.size()) > least_kin && fit.support >= least_kin &&
-                      off <= stray + 2 * scatter;
+  const bool agreed =
+      static_cast<int>(kin.size()) > least_kin && fit.support >= least_kin &&
+      off <= (scatter < exact_scatter ? exact_stray + 4 * fit.residual : stray + 2 * scatter);
   if (!agreed) {
     result.weight = 0;
     return result;

@@ -60,18 +60,30 @@ std::vector<Vec3> path_beyond(const CurveDraft& draft, int side) {
 struct Target {
   Vec3 place;
   std::size_t owner;  // 2 * draft + side of a free end; own_of_nobody for junctions
+  std::size_t steps;  // of its owner's path to get there
+  Vec3 outward;       // of free ends
 };
 constexpr std::size_t own_of_nobody = static_cast<std::size_t>(-1);
 
-// How many places of the path lead to the first target; 0 if none does.
+// How many places of the path lead to a target, 0 if none does: the first junction or end; else
+// where it meets another path soonest for both.
 std::size_t steps_to_target(std::span<const Vec3> path, const PlaceGrid& grid,
                             std::span<const Target> targets, std::size_t self, double near) {
+  std::size_t best = 0, least = path.size() * 4;
   for (std::size_t k = 0; k < path.size(); ++k) {
-    bool hit = false;
-    grid.within(path[k], near, [&](std::uint32_t t) { hit |= targets[t].owner != self; });
-    if (hit) return k + 1;
+    bool there = false, taken = false;
+    const Vec3 going = path[k] - path[k > 0 ? k - 1 : 0];
+    grid.within(path[k], near, [&](std::uint32_t t) {
+      if (targets[t].owner == self) return;
+      // Of two ends that face each other one goes on.
+      taken |= targets[t].steps == 0 && targets[t].owner < self &&
+               dot(targets[t].outward, going) < -0.8 * norm(going);
+      there |= targets[t].steps == 0;
+      if (k + targets[t].steps < least) least = k + targets[t].steps, best = k + 1;
+    });
+    if (there) return taken ? 0 : k + 1;
   }
-  return 0;
+  return best;
 }
 
 std::vector<CreaseSample> joined(std::vector<std::vector<CreaseSample>>& parts) {
@@ -85,15 +97,18 @@ std::vector<CreaseSample> joined(std::vector<std::vector<CreaseSample>>& parts) 
 std::vector<Chain> reach_out(std::span<const CurveDraft> drafts, std::span<const Vec3> junctions,
                              double scatter) {
   std::vector<Target> targets;
-  for (const Vec3& j : junctions) targets.push_back({j, own_of_nobody});
+  for (const Vec3& j : junctions) targets.push_back({j, own_of_nobody, 0, {}});
   std::vector<std::vector<Vec3>> paths(2 * drafts.size());
   for (std::size_t e = 0; e < paths.size(); ++e) {
     const CurveDraft& draft = drafts[e / 2];
     const auto side = static_cast<int>(e % 2);
     if (draft.guide.closed || draft.junction[e % 2] != no_junction) continue;
-    targets.push_back({side == 0 ? draft.guide.places.front() : draft.guide.places.back(), e});
+    targets.push_back(
+        {side == 0 ? draft.guide.places.front() : draft.guide.places.back(), e, 0,
+         draft.guide.direction(side == 0 ? 0 : draft.guide.length()) * (side == 0 ? -1.0 : 1.0)});
     paths[e] = path_beyond(draft, side);
-    for (const Vec3& p : paths[e]) targets.push_back({p, e});
+    for (std::size_t k = 0; k < paths[e].size(); ++k)
+      targets.push_back({paths[e][k], e, k + 1, {}});
   }
   std::vector<Vec3> places;
   for (const Target& t : targets) places.push_back(t.place);
@@ -108,7 +123,7 @@ std::vector<Chain> reach_out(std::span<const CurveDraft> drafts, std::span<const
       const auto& path = paths[2 * c + side];
       const std::size_t steps = steps_to_target(path, grid, targets, 2 * c + side, near);
       chain.bridged = chain.bridged || static_cast<double>(steps) * path_step > plain_reach;
-      for (std::size_t k = 1; k < steps; k += 2)
+      for (std::size_t k = 1; k + 1 < steps; k += 2)
         chain.places.insert(side == 0 ? chain.places.begin() : chain.places.end(), path[k]);
     }
   }

@@ -79,6 +79,7 @@ LocalCurve fit_local_curve(std::span<const Vec3> samples, const Vec3& origin, co
     fit = solve(rows, weight, degree);
     for (std::size_t i = 0; i < rows.size(); ++i) miss[i] = fit.miss(rows[i]);
     scale = std::max(options.exact, to_sigma * median(miss));
+    if (*std::max_element(miss.begin(), miss.end()) <= options.exact) break;  // nothing to weigh
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const double r = miss[i] / (tail * scale);
       weight[i] = 1 / (1 + r * r);

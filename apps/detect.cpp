@@ -11,6 +11,7 @@
 #include "report.h"
 #include "run.h"
 #include "spigolo/core/error.h"
+#include "spigolo/pipeline/lines.h"
 #include "verbs.h"
 
 namespace spigolo {
@@ -111,7 +112,8 @@ void run_detect(const std::vector<std::string>& arguments) {
   warn(seen, c.input, run);
   run.check_memory(cloud.size(), bytes_per_point);
   times.read = run.lap();
-  const Detection detection = detect(cloud.points, c.options, run.job());
+  const Lines lines = find_lines(cloud.points, {c.options}, run.job());  // numbers the curves too
+  const Detection& detection = lines.detection;
   for (const std::string& warning : detection.warnings) run.warn(warning);
   run.lap();
   write_surface(c.output, FileFormat::ply,

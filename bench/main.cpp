@@ -74,6 +74,7 @@ std::vector<Section> sections(const Arguments& a) {
           {"real",
            [=](Report& r) { a.data.empty() ? no_data(r) : real_clouds(r, a.data, a.pictures); }},
           {"chapter5", [=](Report& r) { chapter5(r, a.data, shipped); }},
+          {"lines", [=](Report& r) { feature_lines(r, a.data); }},
           {"speed", [=](Report& r) { speed(r, a.data); }},
           {"peers", [=](Report& r) { a.peers ? rivals_versions(r, {}) : no_peers(r); }},
           {"peers-detect", [=](Report& r) { a.peers ? rivals_detect(r, {}, a.data) : void(); }},

@@ -66,7 +66,7 @@ std::optional<Link> try_link(const CreaseSample& a, const CreaseSample& b, doubl
   const double bend_a = std::acos(std::min(1.0, std::abs(ahead)));
   const double bend_b = std::acos(std::min(1.0, std::abs(arriving)));
   const double limit = std::asin(std::min(most_bend, length / (2 * smallest_radius))) + least_bend +
-                       std::min(0.5, scatter * (0.5 + 1 / length));
+                       std::min(0.2, scatter * (0.5 + 1 / length));
   if (bend_a > limit || bend_b > limit) return std::nullopt;
   Link link;
   link.cost = length * (1 + bend_cost * (bend_a + bend_b));

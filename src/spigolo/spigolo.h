@@ -5,6 +5,7 @@
 // raw point cloud. Plain data in and out; lengths in the units of the input, angles in radians.
 #pragma once
 
+#include "spigolo/cad/cad_file.h"      // faces of STEP and IGES files
 #include "spigolo/core/error.h"        // what can be thrown
 #include "spigolo/core/features.h"     // the verdict on every point
 #include "spigolo/core/job.h"          // threads, progress, cancelling
@@ -13,4 +14,5 @@
 #include "spigolo/detect/detect.h"    // detect()
 #include "spigolo/index/summary.h"    // summarize(): counts, spacing, noise
 #include "spigolo/io/cloud_file.h"    // read_cloud(), write_cloud()
+#include "spigolo/pipeline/blend.h"   // blend(), blend_sharp()
 #include "spigolo/pipeline/smooth.h"  // smooth()

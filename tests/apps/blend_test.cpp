@@ -122,6 +122,16 @@ TEST_F(BlendVerb, meshIsOneSoundPiece) {
   EXPECT_GT(read_mesh(path("mesh.ply")).triangles.size(), 10000u);
 }
 
+TEST_F(BlendVerb, igesGivesWhatStepGives) {
+  StepContent content;
+  content.faces = {{nurbs_tube({{20.5, 20.5, 33}, ez}, 8, 28), {}}};
+  const std::string iges = file("tube.igs", iges_text(content));
+  ASSERT_EQ(run({cloud, tube, "-o", path("step.ply")}).status, 0);
+  ASSERT_EQ(run({cloud, iges, "-o", path("iges.ply")}).status, 0);
+  const PointCloud a = read_cloud(path("step.ply")), b = read_cloud(path("iges.ply"));
+  EXPECT_NEAR(static_cast<double>(a.size()), static_cast<double>(b.size()), 10);
+}
+
 TEST_F(BlendVerb, linearIsThere) {
   const Outcome out = run({cloud, tube, "--method", "linear", "--height", "4", "--width", "5.7",
                            "-o", path("out.ply"), "--json"});

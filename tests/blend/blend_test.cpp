@@ -7,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 
 #include "blend/scenes.h"
+#include "spigolo/cad/cad_file.h"
 #include "spigolo/core/error.h"
 
 namespace spigolo::test {
@@ -177,6 +179,28 @@ TEST(Blend, sheetAcrossAPlaneNeedsToKnowWhatStays) {
     for (std::size_t i = 0; i < b.cloud_index.size(); ++i)
       EXPECT_GT(side * (b.points[i].x - 20), 0);
   }
+}
+
+// The shaft of a screw that comes with OpenCASCADE in Debian, through a plate across it.
+TEST(Blend, analyticFaceOfARealPart) {
+  const std::filesystem::path file = "/usr/share/opencascade/data/step/screw.step";
+  if (!std::filesystem::exists(file)) return;
+  const CadFile part(file);
+  ASSERT_EQ(part.faces()[7].type, "cylinder");
+  const NurbsFace shaft = part.face(7);
+  const auto at = [&](double u, double v) {
+    return point_at(shaft.surface, shaft.u.at(u), shaft.v.at(v));
+  };
+  const Vec3 axis = normalized(at(0, 1) - at(0, 0)), side = any_perpendicular(axis);
+  const Vec3 middle = (at(0, 0.4) + at(0.5, 0.4)) / 2;
+  std::vector<Vec3> plate;
+  for (const Vec3& p : plane(61))
+    plate.push_back(middle + (side * (p.x - 30) + cross(axis, side) * (p.y - 30)) * 0.5);
+  const double radius = distance(at(0, 0.4), middle);
+  const Blend b = blend(plate, shaft, from({"v1"}, 4));
+  expect_smooth(b.borders[0]);
+  expect_removed(
+      plate, b, [&](const Vec3& p) { return distance(p, middle) < radius + 4 * b.spacing - 1e-9; });
 }
 
 TEST(Blend, startIsFoundWhereOnlyOneFits) {

@@ -165,6 +165,42 @@ TEST_F(Cad, trimmedFaceKnowsItsInside) {
   }
 }
 
+// By sums over the NURBS data inside its trimming curves.
+double area_of(const NurbsFace& face) {
+  constexpr int lines = 400, steps = 100;
+  double area = 0;
+  for (int i = 0; i < lines; ++i) {
+    const double u = face.u.at((i + 0.5) / lines);
+    for (const Interval& part : inside(face, Parameter::u, u))
+      for (int j = 0; j < steps; ++j) {
+        const NurbsPoint p = evaluate(face.surface, u, part.at((j + 0.5) / steps));
+        area += norm(cross(p.du, p.dv)) * face.u.length() / lines * part.length() / steps;
+      }
+  }
+  return area;
+}
+
+// Parts that come with OpenCASCADE in Debian (package occt-misc): every kind of surface, trimmed in
+// every way. One face of the bearing is a sliver ten times as long as wide.
+TEST_F(Cad, areasOfRealPartsSurviveTheConversion) {
+  const std::filesystem::path data = "/usr/share/opencascade/data";
+  std::size_t faces = 0;
+  for (const char* name :
+       {"step/screw.step", "step/linkrods.step", "iges/hammer.iges", "iges/bearing.iges"}) {
+    if (!std::filesystem::exists(data / name)) continue;
+    const CadFile part(data / name);
+    for (std::size_t i = 0; i < part.faces().size(); ++i, ++faces)
+      EXPECT_NEAR(area_of(part.face(i)) / part.faces()[i].area, 1, 0.025) << name << " " << i;
+  }
+  StepContent own;  // what there is without the package
+  own.faces = {{CadCylinder{{1, 1, 1}, ez, ex, 3, 4}, {}},
+               {nurbs_u_tube({{0, 0, 0}, ez}, ex, 1, 4, 5), {}}};
+  const CadFile file = step(own);
+  for (std::size_t i = 0; i < file.faces().size(); ++i, ++faces)
+    EXPECT_NEAR(area_of(file.face(i)) / file.faces()[i].area, 1, 1e-3) << i;
+  EXPECT_GE(faces, 2u);
+}
+
 TEST_F(Cad, damagedFilesAreRefusedAndFilesWithoutFacesAreNot) {
   const std::string good = step_text(one_face(nurbs_tube({{0, 0, 0}, ez}, 2, 5)));
   EXPECT_THROW(CadFile(file("cut.step", good.substr(0, good.size() / 2))), InputError);

@@ -42,6 +42,10 @@ PointCloud with_features(PointCloud cloud, const Features& f) {
   add_column(cloud, "edge_x", is_double, [&](std::size_t i) { return point(i).x; });
   add_column(cloud, "edge_y", is_double, [&](std::size_t i) { return point(i).y; });
   add_column(cloud, "edge_z", is_double, [&](std::size_t i) { return point(i).z; });
+  add_column(cloud, "scalar_sheets", is_float, [&](std::size_t i) { return f.sheets[i]; });
+  add_column(cloud, "direction_x", is_float, [&](std::size_t i) { return f.direction[i].x; });
+  add_column(cloud, "direction_y", is_float, [&](std::size_t i) { return f.direction[i].y; });
+  add_column(cloud, "direction_z", is_float, [&](std::size_t i) { return f.direction[i].z; });
   for (Attribute& attribute : carried)
     if (!cloud.find(attribute.name)) cloud.attributes.push_back(std::move(attribute));
   return cloud;

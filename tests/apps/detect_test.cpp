@@ -36,7 +36,9 @@ TEST_F(Detect, writesThePropertiesOfTheContractInOrderAndType) {
       "property uchar green\nproperty uchar blue\nproperty float quality\n"
       "property float scalar_kind\nproperty float scalar_angle\nproperty float scalar_convex\n"
       "property float scalar_curve\nproperty double edge_x\nproperty double edge_y\n"
-      "property double edge_z\nproperty float nx\nproperty ushort intensity\nend_header\n";
+      "property double edge_z\nproperty float scalar_sheets\nproperty float direction_x\n"
+      "property float direction_y\nproperty float direction_z\nproperty float nx\nproperty ushort "
+      "intensity\nend_header\n";
   EXPECT_EQ(bytes.rfind("ply\nformat binary_little_endian 1.0\n", 0), 0u);
   EXPECT_NE(bytes.find("element vertex 10088\n" + wanted), std::string::npos)
       << bytes.substr(0, bytes.find("end_header"));

@@ -13,8 +13,9 @@ namespace {
 constexpr double exact_noise = 0.02;  // [spacings] with less, fits are as exact as the data
 constexpr double exact_ridge = 1e-5, noisy_ridge = 1e-2;
 constexpr double on_floor = 0.08, on_growth = 0.02, wide = 1.9;  // of a seed's reach
-constexpr double distrust = 2;          // [spacings] from a sheet: on none of them
-constexpr std::size_t most_seeds = 16;  // own sheets that are tried for each further sheet
+constexpr double distrust = 2;  // [spacings] from a sheet: on none of them
+constexpr std::size_t exact_seeds = 5,
+                      most_seeds = 16;  // own sheets that are tried for each further sheet
 constexpr std::size_t least_gain = 2, gain_share = 24;  // points, share of all
 constexpr double plane_gain = 12;
 constexpr int exact_rounds = 2, noisy_rounds = 4;
@@ -92,6 +93,7 @@ void SheetProbe::fit_several(const Vec3& center, double smoothing) {
 // of what is left. A quadric fitted to fewer points is trusted less the farther it reaches.
 void SheetProbe::seed() {
   const double limit = std::max(on_floor, wide * model_.tolerances.noise);
+  const std::size_t seeds = model_.tolerances.noise < exact_noise ? exact_seeds : most_seeds;
   label_.assign(points_.size(), -1);
   sheets_.count = 0;
   sheets_.tolerance = std::max(side_floor, side_noise * model_.tolerances.noise);
@@ -107,7 +109,7 @@ void SheetProbe::seed() {
   while (sheets_.count < LocalSheets::most) {
     std::size_t left = 0;
     for (std::size_t t = 0; t < points_.size(); ++t) left += label_[t] < 0;
-    const std::size_t step = std::max<std::size_t>(1, left / most_seeds);
+    const std::size_t step = std::max<std::size_t>(1, left / seeds);
     double best_gain = 0;
     std::size_t seen = 0;
     const Sheet* best = nullptr;

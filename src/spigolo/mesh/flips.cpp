@@ -13,12 +13,13 @@ const double nearly_plane = std::cos(radians(25));  // between the triangles bef
 const double least_turn = 1e-9;                     // [rad] over a half turn: lattices have ties
 constexpr double sliver_height = 0.02;              // against the length of the border edge
 constexpr int most_passes = 20;
+constexpr int most_attempts = 3;
 
 class Flipper {
  public:
   Flipper(std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
-          std::span<const VertexPair> creases)
-      : triangles_(triangles), points_(points), neighbors_(points.size()) {
+          std::span<const VertexPair> creases, const std::vector<char>& locked)
+      : triangles_(triangles), points_(points), locked_(locked), neighbors_(points.size()) {
     for (const auto& [a, b] : creases) creases_.push_back({std::min(a, b), std::max(a, b)});
     std::sort(creases_.begin(), creases_.end());
   }
@@ -92,6 +93,7 @@ class Flipper {
   bool wants_flip(std::uint32_t half, std::uint32_t other) const {
     const std::uint32_t a = from(half), b = from(other), c = apex(half), d = apex(other);
     if (from(next_half(half)) != b || c == d || is_crease(a, b)) return false;
+    if (locked_[a] || locked_[b] || locked_[c] || locked_[d]) return false;
     const Vec3 ca = points_[a] - points_[c], cb = points_[b] - points_[c];
     const Vec3 da = points_[a] - points_[d], db = points_[b] - points_[d];
     if (angle_between(ca, cb) + angle_between(da, db) < pi + least_turn) return false;
@@ -134,6 +136,7 @@ class Flipper {
 
   std::vector<Triangle>& triangles_;
   const std::vector<Vec3>& points_;
+  const std::vector<char>& locked_;  // vertices
   std::vector<VertexPair> creases_;
   std::vector<std::uint32_t> twin_;
   std::vector<std::vector<std::uint32_t>> neighbors_;
@@ -144,7 +147,17 @@ class Flipper {
 
 FlipReport flip_edges(std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
                       std::span<const VertexPair> creases, const Job& job) {
-  return Flipper(triangles, points, creases).run(job);
+  const std::vector<Triangle> before = triangles;
+  std::vector<char> locked(points.size(), 0);
+  for (int attempt = 0;; ++attempt) {
+    const FlipReport report = Flipper(triangles, points, creases, locked).run(job);
+    const auto pairs = find_self_intersections(points, triangles, job);
+    if (pairs.empty() || attempt == most_attempts) return report;
+    for (const auto& pair : pairs)
+      for (const std::uint32_t t : pair)
+        for (const std::uint32_t v : triangles[t]) locked[v] = 1;
+    triangles = before;
+  }
 }
 
 }  // namespace spigolo

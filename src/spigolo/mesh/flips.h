@@ -20,7 +20,8 @@ struct FlipReport {
 /// Takes triangles of no height off the borders, then flips edges to the other diagonal of their
 /// two triangles where the angles opposite to them add up to more than a half turn and the two are
 /// nearly in one plane: the Delaunay triangulation of flat parts. Creases stay. Triangles that are
-/// not manifold or not oriented are left alone.
+/// not manifold or not oriented are left alone. Where triangles run into each other afterwards, the
+/// edges around them stay as they were.
 FlipReport flip_edges(std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
                       std::span<const VertexPair> creases, const Job& job = {});
 

@@ -84,14 +84,14 @@ SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
   refine_labels(delaunay, samples, sides, labels, job);
   result.seconds_label = since(start) - result.seconds_tetrahedra - result.seconds_samples;
   std::vector<Triangle>& triangles = result.mesh.triangles;
-  triangles = boundary(delaunay, labels);
-  trim_unsupported(triangles, samples, Openness(delaunay, samples, sides), {});
-  const double largest = options.close ? infinity : options.largest_hole * samples.step;
-  result.holes_filled = fill_holes(triangles, samples.position, largest, job);
-  flip_edges(triangles, samples.position, samples.creases, job);
   result.mesh.vertices.points = samples.position;
   result.creases = samples.creases;
-  split_fans(result.mesh, result.creases);
+  triangles = boundary(delaunay, labels);
+  trim_unsupported(triangles, samples, Openness(delaunay, samples, sides), {});
+  split_fans(result.mesh, result.creases);  // makes loops simple
+  const double largest = options.close ? infinity : options.largest_hole * samples.step;
+  result.holes_filled = fill_holes(triangles, result.mesh.vertices.points, largest, job);
+  flip_edges(triangles, result.mesh.vertices.points, result.creases, job);
   result.curve = samples.curve;
   result.check = check_mesh(result.mesh, result.creases, job);
   result.seconds_total = since(start);

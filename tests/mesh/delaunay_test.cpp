@@ -90,6 +90,7 @@ TEST(Delaunay, TowardsFindsTheTetrahedronOfADirection) {
   std::vector<std::uint32_t> scratch;
   for (std::uint32_t v = Delaunay::helpers; v < d.vertices(); ++v) {
     const Vec3 direction = random.on_sphere();
+    d.star(v, scratch);
     const Tetrahedron& t = d.tetrahedra()[d.towards(v, direction, scratch)];
     const Vec3 ahead = d.point(v) + 10 * direction;  // ten grid units: still inside
     for (std::size_t i = 0; i < 4; ++i) {

@@ -54,27 +54,6 @@ void count_components(std::size_t vertices, std::span<const Triangle> triangles,
   check.border_loops = count_sets(borders, on_border);
 }
 
-// The corners of triangles around a vertex hang together over edges with two triangles; a vertex
-// with more than one such set of corners is not manifold.
-void count_fans(std::size_t vertices, std::span<const Triangle> triangles, const EdgeTable& table,
-                MeshCheck& check) {
-  ParitySets corners(3 * triangles.size());
-  const auto corner_at = [&](std::uint32_t half, std::uint32_t v) {
-    return triangles[half / 3][half % 3] == v ? half : next_half(half);
-  };
-  for (const MeshEdge& edge : table.edges) {
-    const auto halves = table.of(edge);
-    for (std::size_t i = 1; i < halves.size(); ++i)
-      for (const std::uint32_t v : {edge.low, edge.high})
-        corners.join(corner_at(halves[0], v), corner_at(halves[i], v));
-  }
-  std::vector<std::uint32_t> fans(vertices, 0);
-  for (std::uint32_t corner = 0; corner < 3 * triangles.size(); ++corner)
-    if (corners.find(corner).set == corner) ++fans[triangles[corner / 3][corner % 3]];
-  check.nonmanifold_vertices = static_cast<std::size_t>(
-      std::count_if(fans.begin(), fans.end(), [](std::uint32_t n) { return n > 1; }));
-}
-
 void measure_triangles(std::span<const Vec3> points, std::span<const Triangle> triangles,
                        MeshCheck& check) {
   const Vec3 center = bounding_box(points).center();
@@ -91,8 +70,8 @@ void measure_triangles(std::span<const Vec3> points, std::span<const Triangle> t
 
 }  // namespace
 
-MeshCheck check_mesh(const TriangleMesh& mesh, std::span<const VertexPair> creases,
-                     const Job& job) {
+MeshCheck check_connections(const TriangleMesh& mesh, std::span<const VertexPair> creases,
+                            const Job& job) {
   const std::span<const Vec3> points = mesh.vertices.points;
   const std::span<const Triangle> triangles = mesh.triangles;
   MeshCheck check;
@@ -102,13 +81,20 @@ MeshCheck check_mesh(const TriangleMesh& mesh, std::span<const VertexPair> creas
   count_edges(table, check);
   count_misoriented(table, triangles, check);
   count_components(points.size(), triangles, table, check);
-  count_fans(points.size(), triangles, table, check);
+  check.nonmanifold_vertices = find_fan_vertices(points.size(), triangles, table).size();
   check.euler = static_cast<long long>(check.vertices) - static_cast<long long>(check.edges) +
                 static_cast<long long>(check.triangles);
   measure_triangles(points, triangles, check);
-  check.self_intersections = find_self_intersections(points, triangles, job).size();
   for (const auto& [a, b] : creases)
     if (table.find(a, b)) ++check.crease_edges_kept;
+  return check;
+}
+
+MeshCheck check_mesh(const TriangleMesh& mesh, std::span<const VertexPair> creases,
+                     const Job& job) {
+  MeshCheck check = check_connections(mesh, creases, job);
+  check.self_intersections =
+      find_self_intersections(mesh.vertices.points, mesh.triangles, job).size();
   return check;
 }
 

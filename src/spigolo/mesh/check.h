@@ -50,6 +50,10 @@ struct MeshCheck {
 MeshCheck check_mesh(const TriangleMesh& mesh, std::span<const VertexPair> creases = {},
                      const Job& job = {});
 
+/// All of it but the self-intersections, which take longest.
+MeshCheck check_connections(const TriangleMesh& mesh, std::span<const VertexPair> creases = {},
+                            const Job& job = {});
+
 /// Pairs of triangles (a < b) that run into each other, ascending.
 std::vector<std::array<std::uint32_t, 2>> find_self_intersections(
     std::span<const Vec3> points, std::span<const Triangle> triangles, const Job& job = {});

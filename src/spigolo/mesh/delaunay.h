@@ -50,9 +50,10 @@ class Delaunay {
   void star(std::uint32_t vertex, std::vector<std::uint32_t>& tets) const;
   /// The tetrahedra around an edge; empty if it is none.
   void around(std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& tets) const;
-  /// The tetrahedron at a vertex that a ray from there enters (direction in grid units).
+  /// Of the star of a vertex, the tetrahedron that a ray from there enters (direction in grid
+  /// units).
   std::uint32_t towards(std::uint32_t vertex, const Vec3& direction,
-                        std::vector<std::uint32_t>& scratch) const;
+                        std::span<const std::uint32_t> star) const;
 
  private:
   bool insert_one(std::uint32_t vertex);

@@ -10,6 +10,7 @@
 
 #include "spigolo/core/error.h"
 #include "spigolo/core/parallel.h"
+#include "spigolo/mesh/union_find.h"
 
 namespace spigolo {
 namespace {
@@ -91,6 +92,36 @@ std::vector<std::uint32_t> find_twins(const EdgeTable& table, std::size_t triang
     twin[halves[1]] = halves[0];
   }
   return twin;
+}
+
+std::vector<std::uint32_t> find_fans(std::span<const Triangle> triangles, const EdgeTable& table) {
+  ParitySets corners(3 * triangles.size());
+  const auto corner_at = [&](std::uint32_t half, std::uint32_t v) {
+    return triangles[half / 3][half % 3] == v ? half : next_half(half);
+  };
+  for (const MeshEdge& edge : table.edges) {
+    const auto halves = table.of(edge);
+    for (std::size_t i = 1; i < halves.size(); ++i)
+      for (const std::uint32_t v : {edge.low, edge.high})
+        corners.join(corner_at(halves[0], v), corner_at(halves[i], v));
+  }
+  std::vector<std::uint32_t> fan(3 * triangles.size());
+  for (std::uint32_t corner = 0; corner < fan.size(); ++corner)
+    fan[corner] = corners.find(corner).set;
+  return fan;
+}
+
+std::vector<std::uint32_t> find_fan_vertices(std::size_t vertices,
+                                             std::span<const Triangle> triangles,
+                                             const EdgeTable& table) {
+  const std::vector<std::uint32_t> fan = find_fans(triangles, table);
+  std::vector<std::uint32_t> fans(vertices, 0);
+  for (std::uint32_t corner = 0; corner < fan.size(); ++corner)
+    if (fan[corner] == corner) ++fans[triangles[corner / 3][corner % 3]];
+  std::vector<std::uint32_t> several;
+  for (std::uint32_t v = 0; v < vertices; ++v)
+    if (fans[v] > 1) several.push_back(v);
+  return several;
 }
 
 }  // namespace spigolo

@@ -50,4 +50,13 @@ EdgeTable find_edges(std::size_t vertices, std::span<const Triangle> triangles,
 /// meet.
 std::vector<std::uint32_t> find_twins(const EdgeTable& table, std::size_t triangles);
 
+/// Per corner of the triangles (3 t + i) a number of its fan: corners at one vertex that hang
+/// together over edges. The numbers are those of one corner of the fan.
+std::vector<std::uint32_t> find_fans(std::span<const Triangle> triangles, const EdgeTable& table);
+
+/// The vertices with more than one fan, ascending.
+std::vector<std::uint32_t> find_fan_vertices(std::size_t vertices,
+                                             std::span<const Triangle> triangles,
+                                             const EdgeTable& table);
+
 }  // namespace spigolo

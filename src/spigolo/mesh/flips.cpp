@@ -150,8 +150,9 @@ FlipReport flip_edges(std::vector<Triangle>& triangles, const std::vector<Vec3>&
   const std::vector<Triangle> before = triangles;
   std::vector<char> locked(points.size(), 0);
   for (int attempt = 0;; ++attempt) {
-    const FlipReport report = Flipper(triangles, points, creases, locked).run(job);
+    FlipReport report = Flipper(triangles, points, creases, locked).run(job);
     const auto pairs = find_self_intersections(points, triangles, job);
+    report.self_intersections = pairs.size();
     if (pairs.empty() || attempt == most_attempts) return report;
     for (const auto& pair : pairs)
       for (const std::uint32_t t : pair)

@@ -13,8 +13,9 @@
 namespace spigolo {
 
 struct FlipReport {
-  std::size_t flipped = 0;         // edges
-  std::size_t border_slivers = 0;  // flat triangles taken off borders
+  std::size_t flipped = 0;             // edges
+  std::size_t border_slivers = 0;      // flat triangles taken off borders
+  std::size_t self_intersections = 0;  // pairs of triangles, after all flips
 };
 
 /// Takes triangles of no height off the borders, then flips edges to the other diagonal of their

@@ -96,21 +96,12 @@ class Filler {
 std::size_t split_fans(TriangleMesh& mesh, std::vector<VertexPair>& creases) {
   std::vector<Triangle>& triangles = mesh.triangles;
   const EdgeTable table = find_edges(mesh.vertices.size(), triangles);
-  ParitySets corners(3 * triangles.size());
-  const auto corner_at = [&](std::uint32_t half, std::uint32_t v) {
-    return triangles[half / 3][half % 3] == v ? half : next_half(half);
-  };
-  for (const MeshEdge& edge : table.edges) {
-    const auto halves = table.of(edge);
-    for (std::size_t i = 1; i < halves.size(); ++i)
-      for (const std::uint32_t v : {edge.low, edge.high})
-        corners.join(corner_at(halves[0], v), corner_at(halves[i], v));
-  }
+  const std::vector<std::uint32_t> fans = find_fans(triangles, table);
   const std::vector<Triangle> before = triangles;
   const std::size_t old = mesh.vertices.size();
-  std::vector<std::uint32_t> owner(old, no_index), made(3 * triangles.size(), no_index);
+  std::vector<std::uint32_t> owner(old, no_index), made(fans.size(), no_index);
   for (std::uint32_t corner = 0; corner < made.size(); ++corner) {
-    const std::uint32_t fan = corners.find(corner).set, v = before[corner / 3][corner % 3];
+    const std::uint32_t fan = fans[corner], v = before[corner / 3][corner % 3];
     if (owner[v] == no_index) owner[v] = fan;  // the first fan keeps the vertex
     if (owner[v] == fan) continue;
     if (made[fan] == no_index) {

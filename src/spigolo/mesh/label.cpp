@@ -67,6 +67,7 @@ class Labeller {
       std::vector<std::uint32_t> scratch;
       for (std::size_t i = std::max(begin, samples_.on_creases); i < end; ++i) {
         if (!delaunay_.has(vertex(i))) continue;
+        delaunay_.star(vertex(i), scratch);
         poles_[i] = {delaunay_.towards(vertex(i), samples_.normal[i], scratch),
                      delaunay_.towards(vertex(i), -samples_.normal[i], scratch)};
       }

@@ -91,9 +91,11 @@ SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
   split_fans(result.mesh, result.creases);  // makes loops simple
   const double largest = options.close ? infinity : options.largest_hole * samples.step;
   result.holes_filled = fill_holes(triangles, result.mesh.vertices.points, largest, job);
-  flip_edges(triangles, result.mesh.vertices.points, result.creases, job);
+  const FlipReport flips = flip_edges(triangles, result.mesh.vertices.points, result.creases, job);
   result.curve = samples.curve;
-  result.check = check_mesh(result.mesh, result.creases, job);
+  split_fans(result.mesh, result.creases);
+  result.check = check_connections(result.mesh, result.creases, job);
+  result.check.self_intersections = flips.self_intersections;  // splitting moves nothing
   result.seconds_total = since(start);
   return result;
 }

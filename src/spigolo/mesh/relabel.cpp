@@ -232,14 +232,9 @@ class Relabeller {
       delaunay_.around(edge.low + Delaunay::helpers, edge.high + Delaunay::helpers, ball);
       changed |= untangle(ball);
     }
-    std::vector<std::uint32_t> count(samples_.size(), 0);
-    for (const Triangle& t : triangles)
-      for (const std::uint32_t v : t) ++count[v];
-    for (std::uint32_t v = 0; v < samples_.size(); ++v) {
-      if (count[v] < 6) continue;  // two fans have six triangles
-      delaunay_.star(v + Delaunay::helpers, ball);
-      if (parts_of(ball).size() <= 2) continue;
+    for (const std::uint32_t v : find_fan_vertices(samples_.size(), triangles, table)) {
       ++report_.tangled;
+      delaunay_.star(v + Delaunay::helpers, ball);
       changed |= untangle(ball);
     }
     return changed;

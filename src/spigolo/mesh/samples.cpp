@@ -38,25 +38,28 @@ bool same_sheet(const Vec3& p, const Vec3& n, const Vec3& q, const Vec3& m) {
 class Compass {
  public:
   explicit Compass(const Vec3& normal) : x_(any_perpendicular(normal)), y_(cross(normal, x_)) {}
-  void add(const Vec3& d) { angles_.push_back(std::atan2(dot(d, y_), dot(d, x_))); }
-  std::size_t count() const { return angles_.size(); }
+  void add(const Vec3& d) {
+    if (count_ < most) angles_[count_++] = std::atan2(dot(d, y_), dot(d, x_));
+  }
+  std::size_t count() const { return count_; }
   Vec3 direction(double angle) const { return std::cos(angle) * x_ + std::sin(angle) * y_; }
 
   /// Calls visit(begin, width) for every gap between neighboring directions wider than `least`.
   template <class Visit>
   void gaps(double least, const Visit& visit) {
-    std::sort(angles_.begin(), angles_.end());
-    if (angles_.empty()) visit(0.0, 2 * pi);
-    for (std::size_t i = 0; i < angles_.size(); ++i) {
-      const bool last = i + 1 == angles_.size();
-      const double width = (last ? angles_[0] + 2 * pi : angles_[i + 1]) - angles_[i];
-      if (width > least) visit(angles_[i], width);
+    std::sort(angles_.begin(), angles_.begin() + static_cast<std::ptrdiff_t>(count_));
+    if (count_ == 0) visit(0.0, 2 * pi);
+    for (std::size_t i = 0; i < count_; ++i) {
+      const double next = i + 1 == count_ ? angles_[0] + 2 * pi : angles_[i + 1];
+      if (next - angles_[i] > least) visit(angles_[i], next - angles_[i]);
     }
   }
 
  private:
+  static constexpr std::size_t most = 128;  // more leave no gap
   Vec3 x_, y_;
-  std::vector<double> angles_;
+  std::array<double, most> angles_;
+  std::size_t count_ = 0;
 };
 
 class SheetSampler {
@@ -209,7 +212,7 @@ class SheetSampler {
   // Worth asking the sheets: neither taken nor at a crease.
   bool is_free(const Vec3& p, const Vec3& n, double length) const {
     if (near_crease(p)) return false;
-    const double r = 0.8 * sheet_distance * length;
+    const double r = 0.95 * sheet_distance * length;
     return !taken_.any_within(p, r, [&](std::uint32_t j, double) {
       const std::size_t v = samples_.on_creases + j;
       return same_sheet(p, n, samples_.position[v], samples_.normal[v]);

@@ -57,6 +57,64 @@ std::vector<std::size_t> missing_segments(const Delaunay& delaunay, const MeshSa
   return missing;
 }
 
+// Tetrahedra in which every crease segment is an edge, as far as halving helps.
+Delaunay connect_along_creases(MeshSamples& samples, const Job& job) {
+  Delaunay delaunay = connect(samples, job);
+  for (int round = 0; round < split_rounds; ++round) {
+    const auto missing = missing_segments(delaunay, samples);
+    if (missing.empty()) break;
+    split_creases(samples, missing);
+    delaunay = connect(samples, job);
+  }
+  return delaunay;
+}
+
+// The surface between the sides, without what no sample supports.
+void read_surface(const Delaunay& delaunay, const MeshSamples& samples, const CreaseSides& sides,
+                  const Labelling& labels, SharpMesh& result) {
+  result.mesh.vertices.points = samples.position;
+  result.mesh.triangles = boundary(delaunay, labels);
+  result.creases = samples.creases;
+  result.curve = samples.curve;
+  trim_unsupported(result.mesh.triangles, samples, Openness(delaunay, samples, sides), {});
+}
+
+// Holes closed, triangles of good shape, all of it checked.
+void finish(const MeshSamples& samples, const MesherOptions& options, SharpMesh& result,
+            const Job& job) {
+  TriangleMesh& mesh = result.mesh;
+  split_fans(mesh, result.creases);  // makes the loops around holes simple
+  const double largest = options.close ? infinity : options.largest_hole * samples.step;
+  result.holes_filled = fill_holes(mesh.triangles, mesh.vertices.points, largest, job);
+  const FlipReport flips = flip_edges(mesh.triangles, mesh.vertices.points, result.creases, job);
+  split_fans(mesh, result.creases);
+  result.check = check_connections(mesh, result.creases, job);
+  result.check.self_intersections = flips.self_intersections;  // splitting moves nothing
+  result.unused_points = mesh.vertices.size() - result.check.vertices;
+}
+
+// Vertices that no triangle names, at the end of creases that were not kept, stay: creases name
+// them. All others go.
+void drop_unused(SharpMesh& result) {
+  std::vector<std::uint32_t> number(result.mesh.vertices.size(), no_index);
+  for (const Triangle& t : result.mesh.triangles)
+    for (const std::uint32_t v : t) number[v] = 0;
+  for (const VertexPair& pair : result.creases)
+    for (const std::uint32_t v : pair) number[v] = 0;
+  std::vector<Vec3>& points = result.mesh.vertices.points;
+  std::uint32_t count = 0;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (number[v] == no_index) continue;
+    points[count] = points[v];
+    number[v] = count++;
+  }
+  points.resize(count);
+  for (Triangle& t : result.mesh.triangles)
+    for (std::uint32_t& v : t) v = number[v];
+  for (VertexPair& pair : result.creases)
+    for (std::uint32_t& v : pair) v = number[v];
+}
+
 }  // namespace
 
 SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
@@ -69,33 +127,19 @@ SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
   const EdgeLength edge{surface.spacing * options.edge_length,
                         surface.spacing * options.chord_error};
   MeshSamples samples = choose_samples(surface, network, edge, job);
-  result.seconds_samples = since(start);
   if (samples.size() < 4) throw NoResultError("fewer than four points on a surface: no mesh");
-  Delaunay delaunay = connect(samples, job);
-  for (int round = 0; round < split_rounds; ++round) {
-    const auto missing = missing_segments(delaunay, samples);
-    if (missing.empty()) break;
-    split_creases(samples, missing);
-    delaunay = connect(samples, job);
-  }
+  result.seconds_samples = since(start);
+  const Delaunay delaunay = connect_along_creases(samples, job);
   result.seconds_tetrahedra = since(start) - result.seconds_samples;
   const CreaseSides sides = find_crease_sides(samples, job);
   Labelling labels = label_tetrahedra(delaunay, samples, sides, job);
   refine_labels(delaunay, samples, sides, labels, job);
   result.seconds_label = since(start) - result.seconds_tetrahedra - result.seconds_samples;
-  std::vector<Triangle>& triangles = result.mesh.triangles;
-  result.mesh.vertices.points = samples.position;
-  result.creases = samples.creases;
-  triangles = boundary(delaunay, labels);
-  trim_unsupported(triangles, samples, Openness(delaunay, samples, sides), {});
-  split_fans(result.mesh, result.creases);  // makes loops simple
-  const double largest = options.close ? infinity : options.largest_hole * samples.step;
-  result.holes_filled = fill_holes(triangles, result.mesh.vertices.points, largest, job);
-  const FlipReport flips = flip_edges(triangles, result.mesh.vertices.points, result.creases, job);
-  result.curve = samples.curve;
-  split_fans(result.mesh, result.creases);
-  result.check = check_connections(result.mesh, result.creases, job);
-  result.check.self_intersections = flips.self_intersections;  // splitting moves nothing
+  read_surface(delaunay, samples, sides, labels, result);
+  finish(samples, options, result, job);
+  drop_unused(result);
+  if (result.mesh.triangles.empty())
+    throw NoResultError("the points span no surface that holds together: no mesh");
   result.seconds_total = since(start);
   return result;
 }

@@ -12,10 +12,11 @@
 namespace spigolo {
 namespace {
 
-constexpr double flat_enough = radians(20);  // facets tilted less against the sheets cost no more
-constexpr double too_steep = radians(50);    // facets tilted more cost the most
-constexpr double price_of_area = 0.1;        // against 1 for a facet that is too steep
-constexpr double bubble_price = 0.3;         // a part with a dearer surface is no part
+constexpr double flat_enough = radians(20);    // facets tilted less against the sheets cost no more
+constexpr double too_steep = radians(50);      // facets tilted more cost the most
+constexpr double price_of_area = 0.1;          // against 1 for a facet that is too steep
+constexpr double bubble_price = 0.3;           // a part with a dearer surface is no part
+constexpr std::uint32_t largest_bubble = 200;  // facets; a larger part is one, whatever it costs
 constexpr double least_gain = 1e-4;
 constexpr double gain_of_a_vertex = 0.2;  // what leaving a vertex out must bring
 constexpr int most_sweeps = 12;
@@ -98,7 +99,8 @@ class Relabeller {
     for (std::uint32_t t = 0; t < tets_.size(); ++t)
       for (std::size_t i = 0; i < 4 && tets_[t].alive(); ++i)
         if (tets_[t].neighbor[i] < t && !is_boundary(t, i)) parts.join(t, tets_[t].neighbor[i]);
-    std::vector<double> price(tets_.size(), 0), area(tets_.size(), 0);
+    std::vector<double> price(tets_.size(), 0);
+    std::vector<std::uint32_t> facets(tets_.size(), 0);
     std::vector<char> endless(tets_.size(), 0);
     for (std::uint32_t t = 0; t < tets_.size(); ++t) {
       if (!tets_[t].alive()) continue;
@@ -106,16 +108,15 @@ class Relabeller {
       for (std::size_t i = 0; i < 4; ++i) {
         if (tets_[t].v[i] < Delaunay::helpers) endless[part] = 1;
         if (!is_boundary(t, i)) continue;
-        const double c = cost(t, i);
-        price[part] += c;
-        area[part] += 1;
+        price[part] += cost(t, i);
+        ++facets[part];
       }
     }
     for (std::uint32_t t = 0; t < tets_.size(); ++t) {
       if (!tets_[t].alive()) continue;
       const std::uint32_t part = parts.find(t).set;
       if (endless[part] && inside_[t] == 0) continue;
-      if (price[part] <= bubble_price * area[part]) continue;
+      if (facets[part] > largest_bubble || price[part] <= bubble_price * facets[part]) continue;
       inside_[t] ^= 1;
       if (part == t) ++report_.bubbles;
     }

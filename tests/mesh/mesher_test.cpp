@@ -1,0 +1,178 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// tests/mesh/mesher_test.cpp - sharp meshes of shapes whose surface and creases are known exactly
+#include "spigolo/mesh/mesher.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "spigolo/core/error.h"
+#include "spigolo/index/order.h"
+#include "spigolo/mesh/shading.h"
+#include "spigolo/synth/synth.h"
+
+namespace spigolo {
+namespace {
+
+// The exact creases of a shape, as polylines between its corners.
+FeatureCurves exact_network(const Shape& shape, std::size_t pieces) {
+  FeatureCurves network;
+  for (const Corner& corner : shape.corners) network.corners.push_back({corner.position, 0});
+  for (const ExactCrease& crease : shape.creases) {
+    FeatureCurve curve;
+    curve.closed = crease.curve.closed;
+    for (std::size_t i = 0; i < pieces + (curve.closed ? 0 : 1); ++i)
+      curve.points.push_back(crease.curve.at(static_cast<double>(i) / static_cast<double>(pieces)));
+    curve.angle.assign(curve.points.size(), 1);
+    for (std::size_t end = 0; end < 2 && !curve.closed; ++end) {
+      Vec3& p = end == 0 ? curve.points.front() : curve.points.back();
+      for (std::size_t c = 0; c < network.corners.size(); ++c)
+        if (distance(network.corners[c].position, p) < 1e-9) {
+          p = network.corners[c].position;
+          curve.corner[end] = static_cast<std::int32_t>(c);
+          ++network.corners[c].valence;
+        }
+    }
+    network.curves.push_back(curve);
+  }
+  validate(network);
+  return network;
+}
+
+// Of a flat face the distance grows by the size of a component of the normal along each axis, and
+// fastest along the normal.
+Vec3 exact_normal(const Shape& shape, const Vec3& p, double spacing) {
+  const double step = 1e-4 * spacing;
+  Vec3 size, best;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Vec3 q = p;
+    q[axis] += step;
+    size[axis] = surface_distance(shape, q);
+    q[axis] -= 2 * step;
+    size[axis] = std::max(size[axis], surface_distance(shape, q));
+  }
+  double farthest = -1;
+  for (int signs = 0; signs < 4; ++signs) {
+    const Vec3 n = normalized({size.x, signs & 1 ? -size.y : size.y, signs & 2 ? -size.z : size.z});
+    const double reached =
+        std::max(surface_distance(shape, p + step * n), surface_distance(shape, p - step * n));
+    if (reached > farthest) farthest = reached, best = n;
+  }
+  return best;
+}
+
+// Samples with the exact normal of their patch.
+struct Case {
+  SurfacePoints surface;
+  FeatureCurves network;
+  Shape shape;
+};
+
+Case make_case(const std::string& shape, Sampling sampling, std::size_t points) {
+  SynthOptions options;
+  options.shape = shape;
+  options.sampling = sampling;
+  options.points = points;
+  const SynthCloud cloud = make_cloud(options);
+  Case c{{}, exact_network(cloud.shape, 60), cloud.shape};
+  c.surface.spacing = std::sqrt(area(cloud.shape) / static_cast<double>(cloud.cloud.size()));
+  const OrderedCloud ordered = order_cloud(cloud.cloud.points);
+  for (const Vec3& p : ordered.points)
+    c.surface.points.push_back(
+        {p + ordered.origin, exact_normal(cloud.shape, p + ordered.origin, c.surface.spacing), 0});
+  return c;
+}
+
+void expect_closed(const SharpMesh& sharp, long long euler) {
+  const MeshCheck check = check_mesh(sharp.mesh, sharp.creases);  // all of it again
+  EXPECT_TRUE(check.sound());
+  EXPECT_TRUE(check.closed());
+  EXPECT_EQ(check.euler, euler);
+  EXPECT_EQ(check.components, 1U);
+  EXPECT_EQ(check.crease_edges_kept, check.crease_edges);
+  EXPECT_GT(check.volume, 0);
+}
+
+double farthest_middle(const SharpMesh& sharp, const Shape& shape) {
+  double largest = 0;
+  const auto& p = sharp.mesh.vertices.points;
+  for (const auto& [a, b, c] : sharp.mesh.triangles)
+    largest = std::max(largest, surface_distance(shape, (p[a] + p[b] + p[c]) / 3));
+  return largest;
+}
+
+TEST(Mesher, CubesOfAnySamplingAreSharpAndWatertight) {
+  for (const Sampling sampling : {Sampling::lattice, Sampling::blue, Sampling::random}) {
+    const Case c = make_case("cube", sampling, 1500);
+    const SharpMesh sharp = build_mesh(c.surface, c.network);
+    expect_closed(sharp, 2);
+    EXPECT_LT(farthest_middle(sharp, c.shape), 1e-3 * c.surface.spacing);
+    EXPECT_NEAR(sharp.check.volume, std::pow(area(c.shape) / 6, 1.5), 1e-6 * sharp.check.volume);
+    EXPECT_NEAR(sharp.check.area, area(c.shape), 1e-6 * sharp.check.area);
+  }
+}
+
+TEST(Mesher, CreasesThatRunInwardAndThinWalls) {
+  for (const char* shape : {"l-prism", "star", "slot", "steps"}) {
+    const Case c = make_case(shape, Sampling::blue, 3000);
+    const SharpMesh sharp = build_mesh(c.surface, c.network);
+    expect_closed(sharp, 2);
+    EXPECT_LT(farthest_middle(sharp, c.shape), 0.05 * c.surface.spacing) << shape;
+  }
+}
+
+TEST(Mesher, AnOpenSurfaceKeepsItsBorder) {
+  const Case c = make_case("wedge", Sampling::blue, 2000);
+  const SharpMesh sharp = build_mesh(c.surface, c.network);
+  const MeshCheck check = check_mesh(sharp.mesh, sharp.creases);
+  EXPECT_TRUE(check.sound());
+  EXPECT_EQ(check.border_loops, 1U);
+  EXPECT_EQ(check.euler, 1);
+  EXPECT_EQ(check.crease_edges_kept, check.crease_edges);
+  EXPECT_LT(farthest_middle(sharp, c.shape), 0.01 * c.surface.spacing);  // no bridge
+}
+
+TEST(Mesher, NothingDependsOnThreads) {
+  const Case c = make_case("l-prism", Sampling::random, 2000);
+  Job one, four;
+  one.threads = 1, four.threads = 4;
+  const SharpMesh a = build_mesh(c.surface, c.network, {}, one);
+  const SharpMesh b = build_mesh(c.surface, c.network, {}, four);
+  EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
+  EXPECT_TRUE(std::equal(a.mesh.vertices.points.begin(), a.mesh.vertices.points.end(),
+                         b.mesh.vertices.points.begin(), b.mesh.vertices.points.end()));
+}
+
+TEST(Mesher, LongerEdgesFewerTriangles) {
+  const Case c = make_case("cube", Sampling::blue, 3000);
+  MesherOptions coarse;
+  coarse.edge_length = 2;
+  const SharpMesh fine = build_mesh(c.surface, c.network),
+                  few = build_mesh(c.surface, c.network, coarse);
+  expect_closed(few, 2);
+  EXPECT_LT(3 * few.check.triangles, fine.check.triangles);
+}
+
+TEST(Mesher, BadOptionsAndEmptyInput) {
+  const Case c = make_case("cube", Sampling::blue, 300);
+  MesherOptions bad;
+  bad.edge_length = 0;
+  EXPECT_THROW(build_mesh(c.surface, c.network, bad), UsageError);
+  SurfacePoints nothing;
+  EXPECT_THROW(build_mesh(nothing, {}), NoResultError);
+}
+
+TEST(Shading, ACubeHasSixPatchesWithFlatNormals) {
+  const Case c = make_case("cube", Sampling::lattice, 600);
+  const SharpMesh sharp = build_mesh(c.surface, c.network);
+  const auto patch = find_patches(sharp.mesh, sharp.creases);
+  EXPECT_EQ(*std::max_element(patch.begin(), patch.end()), 5U);
+  for (const auto& corners : corner_normals(sharp.mesh, sharp.creases))
+    for (const Vec3& n : corners)
+      EXPECT_NEAR(std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}), 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace spigolo

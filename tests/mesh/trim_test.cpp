@@ -1,0 +1,99 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// tests/mesh/trim_test.cpp - holes closed, fans split, edges flipped
+#include "spigolo/mesh/trim.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "spigolo/mesh/flips.h"
+#include "spigolo/mesh/union_find.h"
+
+namespace spigolo {
+namespace {
+
+// A ball of longitudes and latitudes.
+TriangleMesh ball(std::uint32_t around, std::uint32_t up) {
+  TriangleMesh mesh;
+  auto& p = mesh.vertices.points;
+  p = {{0, 0, -1}, {0, 0, 1}};
+  for (std::uint32_t j = 1; j < up; ++j)
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const double a = 2 * pi * i / around, b = pi * j / up - half_pi;
+      p.push_back({std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)});
+    }
+  const auto at = [&](std::uint32_t i, std::uint32_t j) {
+    return 2 + (j - 1) * around + i % around;
+  };
+  for (std::uint32_t i = 0; i < around; ++i) {
+    mesh.triangles.push_back({0, at(i + 1, 1), at(i, 1)});
+    mesh.triangles.push_back({1, at(i, up - 1), at(i + 1, up - 1)});
+    for (std::uint32_t j = 1; j + 1 < up; ++j) {
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return mesh;
+}
+
+TEST(Holes, AHoleIsClosedAndAWideOneOnRequest) {
+  TriangleMesh mesh = ball(16, 9);
+  ASSERT_TRUE(check_mesh(mesh).sound());
+  const double volume = check_mesh(mesh).volume;
+  std::erase_if(mesh.triangles, [](const Triangle& t) { return t[0] == 1; });  // a cap
+  ASSERT_EQ(check_mesh(mesh).border_loops, 1U);
+  EXPECT_EQ(fill_holes(mesh.triangles, mesh.vertices.points, 0.5), 0U);
+  EXPECT_EQ(fill_holes(mesh.triangles, mesh.vertices.points, 2), 1U);
+  const MeshCheck check = check_mesh(mesh);
+  EXPECT_TRUE(check.closed());
+  EXPECT_TRUE(check.sound());
+  EXPECT_LT(check.volume, volume);
+  EXPECT_GT(check.volume, 0.9 * volume);
+}
+
+TEST(Holes, TwoBallsAtOneVertexComeApart) {
+  TriangleMesh mesh = ball(8, 5), other = ball(8, 5);
+  const auto shift = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const Vec3& p : other.vertices.points) mesh.vertices.points.push_back(p + Vec3{0, 0, 2});
+  for (Triangle t : other.triangles) {
+    for (std::uint32_t& v : t) v = v == 0 ? 1 : v + shift;
+    mesh.triangles.push_back(t);
+  }
+  ASSERT_EQ(check_mesh(mesh).nonmanifold_vertices, 1U);
+  const std::uint32_t beside = mesh.triangles.back()[1];
+  std::vector<VertexPair> creases = {{1, mesh.triangles[1][1]}, {mesh.triangles.back()[0], beside}};
+  EXPECT_EQ(split_fans(mesh, creases), 1U);
+  const MeshCheck check = check_mesh(mesh, creases);
+  EXPECT_TRUE(check.sound());
+  EXPECT_EQ(check.components, 2U);
+  EXPECT_EQ(check.crease_edges_kept, 2U);
+}
+
+TEST(Flips, ThinDiagonalsGoAndCreasesStay) {
+  // a long rhombus cut along its long diagonal
+  const std::vector<Vec3> points = {{-5, 0, 0}, {5, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+  const std::vector<Triangle> cut = {{0, 1, 2}, {1, 0, 3}};
+  std::vector<Triangle> triangles = cut;
+  EXPECT_EQ(flip_edges(triangles, points, {}).flipped, 1U);
+  EXPECT_NE(find_edges(4, triangles).find(2, 3), nullptr);
+  const std::vector<VertexPair> creases = {{1, 0}};
+  triangles = cut;
+  EXPECT_EQ(flip_edges(triangles, points, creases).flipped, 0U);
+  EXPECT_EQ(triangles, cut);
+}
+
+TEST(ParitySets, KindsFollowFromEachOther) {
+  ParitySets sets(5);
+  EXPECT_TRUE(sets.join(0, 1, 1));
+  EXPECT_TRUE(sets.join(2, 3, 1));
+  EXPECT_TRUE(sets.join(1, 2, 0));
+  EXPECT_TRUE(sets.join(0, 3, 0));   // follows
+  EXPECT_FALSE(sets.join(0, 3, 1));  // contradicts
+  EXPECT_TRUE(sets.join(0, 2, 1));
+  EXPECT_EQ(sets.find(4).set, 4U);
+}
+
+}  // namespace
+}  // namespace spigolo

@@ -71,6 +71,7 @@ std::vector<Section> sections(const Arguments& a) {
           {"fillets", fillets},
           {"creases", creases},
           {"hardships", hardships},
+          {"meshing", meshing},
           {"real",
            [=](Report& r) { a.data.empty() ? no_data(r) : real_clouds(r, a.data, a.pictures); }},
           {"chapter5", [=](Report& r) { chapter5(r, a.data, shipped); }},

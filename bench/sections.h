@@ -23,6 +23,7 @@ void chapter5(Report& report, const std::filesystem::path& data,
               const std::filesystem::path& pictures);
 /// data: folder with abc/clean and the models; may be empty.
 void feature_lines(Report& report, const std::filesystem::path& data);
+void meshing(Report& report);
 void speed(Report& report, const std::filesystem::path& data);  // data may be empty
 /// Files of the folder `data` (see docs/benchmarks.md); pictures go to `pictures`.
 void real_clouds(Report& report, const std::filesystem::path& data,

@@ -128,6 +128,7 @@ Json mesh_json(const MeshedCloud& meshed, const MeshCommand& c, const Json& para
   json["non_finite"] = meshed.non_finite;
   json["outliers"] = meshed.outliers;
   json["holes_filled"] = meshed.sharp.holes_filled;
+  json["faults_taken"] = meshed.sharp.faults_taken;
   return json;
 }
 

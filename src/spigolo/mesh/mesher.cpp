@@ -29,6 +29,8 @@ double since(Clock::time_point start) {
 constexpr double jitter_steps = 1e-3;  // what breaks ties between lattice points
 constexpr double least_jitter = 2;     // [grid units]
 constexpr int split_rounds = 4;
+constexpr int most_repairs = 8, closing_repairs = 2;
+constexpr double largest_share_of_faults = 0.15;  // of the triangles; with more there is no surface
 
 Delaunay connect(const MeshSamples& samples, const Job& job) {
   const Grid grid = make_grid(bounding_box(samples.position));
@@ -79,7 +81,7 @@ void read_surface(const Delaunay& delaunay, const MeshSamples& samples, const Cr
   trim_unsupported(result.mesh.triangles, samples, Openness(delaunay, samples, sides), {});
 }
 
-// Holes closed, triangles of good shape, all of it checked.
+// Holes closed, triangles of good shape.
 void finish(const MeshSamples& samples, const MesherOptions& options, SharpMesh& result,
             const Job& job) {
   TriangleMesh& mesh = result.mesh;
@@ -90,7 +92,27 @@ void finish(const MeshSamples& samples, const MesherOptions& options, SharpMesh&
   split_fans(mesh, result.creases);
   result.check = check_connections(mesh, result.creases, job);
   result.check.self_intersections = flips.self_intersections;  // splitting moves nothing
-  result.unused_points = mesh.vertices.size() - result.check.vertices;
+}
+
+// Where the mesh fails its check, triangles go until it passes: rather a hole than a fault. Holes
+// are closed again at first, in case that was the fault not any more.
+void take_faults_away(const MeshSamples& samples, const MesherOptions& options, SharpMesh& result,
+                      const Job& job) {
+  TriangleMesh& mesh = result.mesh;
+  const std::size_t before = mesh.triangles.size();
+  for (int round = 0; round < most_repairs && !result.check.sound(); ++round) {
+    result.faults_taken += take_faults(mesh.triangles, mesh.vertices.points, job);
+    split_fans(mesh, result.creases);
+    if (round < closing_repairs)
+      result.holes_filled += fill_holes(mesh.triangles, mesh.vertices.points,
+                                        options.largest_hole * samples.step, job);
+    result.check = check_mesh(mesh, result.creases, job);
+  }
+  if (mesh.triangles.empty() || static_cast<double>(result.faults_taken) >
+                                    largest_share_of_faults * static_cast<double>(before))
+    throw NoResultError(
+        "the points do not hold together as a surface: most of what a mesh of them would be runs "
+        "into itself; is the cloud more than noise, is it dense enough?");
 }
 
 // Vertices that no triangle names, at the end of creases that were not kept, stay: creases name
@@ -137,9 +159,9 @@ SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
   result.seconds_label = since(start) - result.seconds_tetrahedra - result.seconds_samples;
   read_surface(delaunay, samples, sides, labels, result);
   finish(samples, options, result, job);
+  take_faults_away(samples, options, result, job);
+  result.unused_points = result.mesh.vertices.size() - result.check.vertices;
   drop_unused(result);
-  if (result.mesh.triangles.empty())
-    throw NoResultError("the points span no surface that holds together: no mesh");
   result.seconds_total = since(start);
   return result;
 }

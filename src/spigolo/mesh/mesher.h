@@ -29,6 +29,7 @@ struct SharpMesh {
   std::vector<std::int32_t> curve;  // per segment, its curve in the network
   MeshCheck check;
   std::size_t holes_filled = 0;
+  std::size_t faults_taken = 0;   // triangles taken away because the mesh failed its check there
   std::size_t unused_points = 0;  // samples that are no vertex of the mesh
   double seconds_samples = 0, seconds_tetrahedra = 0, seconds_label = 0, seconds_total = 0;
 };

@@ -65,4 +65,26 @@ std::size_t trim_unsupported(std::vector<Triangle>& triangles, const MeshSamples
   return before - triangles.size();
 }
 
+std::size_t take_faults(std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
+                        const Job& job) {
+  std::vector<char> kept(triangles.size(), 1);
+  const EdgeTable table = find_edges(points.size(), triangles, job);
+  const auto from = [&](std::uint32_t half) { return triangles[half / 3][half % 3]; };
+  for (const MeshEdge& edge : table.edges) {
+    const auto halves = table.of(edge);
+    const bool fault = edge.count > 2 || (edge.count == 2 && from(halves[0]) == from(halves[1]));
+    for (const std::uint32_t half : halves)
+      if (fault) kept[half / 3] = 0;
+  }
+  for (const auto& pair : find_self_intersections(points, triangles, job))
+    for (const std::uint32_t t : pair) kept[t] = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (is_degenerate(points[triangles[t][0]], points[triangles[t][1]], points[triangles[t][2]]))
+      kept[t] = 0;
+  const std::size_t before = triangles.size();
+  keep(triangles, kept);
+  if (triangles.size() < before) drop_scraps(triangles, points.size(), TrimOptions{}.least_piece);
+  return before - triangles.size();
+}
+
 }  // namespace spigolo

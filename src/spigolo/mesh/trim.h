@@ -31,6 +31,11 @@ std::size_t trim_unsupported(std::vector<Triangle>& triangles, const MeshSamples
 std::size_t fill_holes(std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
                        double largest, const Job& job = {});
 
+/// Takes away the triangles at edges with more than two of them, those without height, those that
+/// run into each other, then pieces of fewer than eight triangles. Returns how many were taken.
+std::size_t take_faults(std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
+                        const Job& job = {});
+
 /// Gives each fan of triangles at a vertex a vertex of its own, at the same place: the mesh touches
 /// itself there but is manifold. Creases follow. Returns how many vertices were added.
 std::size_t split_fans(TriangleMesh& mesh, std::vector<VertexPair>& creases);

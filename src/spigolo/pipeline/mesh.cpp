@@ -155,6 +155,8 @@ void warn(MeshedCloud& result) {
   say(result.non_finite, " points have a NaN or infinite coordinate; they are left out");
   say(result.outliers, " points lie far from all others; they are left out");
   const MeshCheck& check = result.sharp.check;
+  say(result.sharp.faults_taken,
+      " triangles were taken away, since the surface would have run into itself there");
   say(check.nonmanifold_edges + check.nonmanifold_vertices, " places of the mesh are not manifold");
   say(check.self_intersections, " pairs of triangles run into each other");
   say(check.degenerate, " triangles are degenerate");

@@ -8,8 +8,8 @@
 
 #include <cmath>
 
+#include "spigolo/core/parity_sets.h"
 #include "spigolo/mesh/flips.h"
-#include "spigolo/mesh/union_find.h"
 
 namespace spigolo {
 namespace {

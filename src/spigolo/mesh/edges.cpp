@@ -10,7 +10,7 @@
 
 #include "spigolo/core/error.h"
 #include "spigolo/core/parallel.h"
-#include "spigolo/mesh/union_find.h"
+#include "spigolo/core/parity_sets.h"
 
 namespace spigolo {
 namespace {

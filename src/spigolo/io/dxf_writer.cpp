@@ -180,7 +180,8 @@ std::array<Vec3, 2> arbitrary_axes(const Vec3& z) {
 }
 
 void write_round(DxfText& dxf, const FeatureCurve& curve) {
-  const auto [x, y] = arbitrary_axes(curve.axis);
+  const std::array<Vec3, 2> axes = arbitrary_axes(curve.axis);
+  const Vec3 &x = axes[0], &y = axes[1];
   const bool circle = curve.shape == CurveShape::circle;
   dxf.entity(circle ? "CIRCLE" : "ARC", layer_of(curve), "AcDbCircle");
   dxf.point(10, {dot(curve.center, x), dot(curve.center, y), dot(curve.center, curve.axis)});

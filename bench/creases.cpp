@@ -6,6 +6,7 @@
 
 #include "common.h"
 #include "sections.h"
+#include "truth.h"
 
 namespace spigolo::bench {
 namespace {
@@ -34,10 +35,6 @@ double at_share(std::vector<double> values, double share) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * last);
   std::nth_element(values.begin(), at, values.end());
   return *at;
-}
-
-double mean_spacing(const SynthCloud& s) {
-  return std::sqrt(area(s.shape) / static_cast<double>(s.cloud.size()));
 }
 
 /// Very small numbers in powers of ten; NaN: there was nothing to measure.

@@ -79,7 +79,8 @@ std::vector<Section> sections(const Arguments& a) {
           {"speed", [=](Report& r) { speed(r, a.data); }},
           {"peers", [=](Report& r) { a.peers ? rivals_versions(r, {}) : no_peers(r); }},
           {"peers-detect", [=](Report& r) { a.peers ? rivals_detect(r, {}, a.data) : void(); }},
-          {"peers-smooth", [=](Report& r) { a.peers ? rivals_smooth(r, {}) : void(); }}};
+          {"peers-smooth", [=](Report& r) { a.peers ? rivals_smooth(r, {}) : void(); }},
+          {"peers-mesh", [=](Report& r) { a.peers ? rivals_mesh(r, {}) : void(); }}};
 }
 
 /// `only` names the section or what stands before its dash.

@@ -17,7 +17,7 @@ extern char** environ;
 namespace spigolo::bench {
 namespace {
 
-constexpr const char* longest_run = "600";  // seconds
+constexpr const char* longest_run = "1800";  // seconds
 
 int wait_for(pid_t child) {
   int status = 0;

@@ -24,7 +24,7 @@ struct RivalPlaces {
   fs::path file(const std::string& name) const { return scratch / name; }
 };
 
-/// Runs a program to its end, at most ten minutes; what it prints goes to a log in `scratch`.
+/// Runs a program to its end, at most half an hour; what it prints goes to a log in `scratch`.
 /// False if it is missing, fails or takes too long.
 bool run_rival(const RivalPlaces& places, const std::vector<std::string>& command);
 

@@ -9,6 +9,7 @@
 #include "common.h"
 #include "labelled.h"
 #include "sections.h"
+#include "truth.h"
 
 namespace spigolo::bench {
 namespace {
@@ -254,7 +255,7 @@ Sets constructed(const RivalPlaces& places) {
         sets.push_back({{name, sampling == Sampling::blue ? "blue" : "random", number(noise, 2)},
                         s.cloud.points,
                         read_truth(s.cloud, s.spacing, s.lattice),
-                        std::sqrt(area(s.shape) / static_cast<double>(s.cloud.size()))});
+                        mean_spacing(s)});
         ask_all(places, sets.back());
         drop_borders(sets.back(), s);
       }

@@ -64,22 +64,17 @@ SmoothVariant pcl(double radius) {
           }};
 }
 
-std::string parameter(const char* name, const char* type, const std::string& value) {
-  return std::string("<Param name=\"") + name + "\" type=\"" + type + "\" value=\"" + value +
-         "\"/>\n";
-}
-
 /// own: the parameters that only this one of the two filters has.
 SmoothVariant meshlab(const std::string& filter, double scale, const std::string& own) {
   const std::string script = "<filter name=\"MLS projection (" + filter + ")\">\n" +
-                             parameter("ControlMesh", "RichMesh", "0") +
-                             parameter("ProxyMesh", "RichMesh", "1") +
-                             parameter("SelectionOnly", "RichBool", "false") +
-                             parameter("FilterScale", "RichFloat", number(scale, 2)) +
-                             parameter("ProjectionAccuracy", "RichFloat", "0.0001") +
-                             parameter("MaxProjectionIters", "RichInt", "15") + own +
-                             parameter("MaxSubdivisions", "RichInt", "0") +
-                             parameter("ThAngleInDegree", "RichFloat", "2") + "</filter>\n";
+                             filter_parameter("ControlMesh", "RichMesh", "0") +
+                             filter_parameter("ProxyMesh", "RichMesh", "1") +
+                             filter_parameter("SelectionOnly", "RichBool", "false") +
+                             filter_parameter("FilterScale", "RichFloat", number(scale, 2)) +
+                             filter_parameter("ProjectionAccuracy", "RichFloat", "0.0001") +
+                             filter_parameter("MaxProjectionIters", "RichInt", "15") + own +
+                             filter_parameter("MaxSubdivisions", "RichInt", "0") +
+                             filter_parameter("ThAngleInDegree", "RichFloat", "2") + "</filter>\n";
   return {"filter scale " + number(scale, 1),
           [script](const RivalPlaces& places, const SmoothTask& task) -> std::optional<Projected> {
             if (!task.oriented) return std::nullopt;
@@ -94,15 +89,15 @@ SmoothVariant meshlab(const std::string& filter, double scale, const std::string
 }
 
 SmoothVariant rimls(double scale) {
-  return meshlab(
-      "RIMLS", scale,
-      parameter("SigmaN", "RichFloat", "0.75") + parameter("MaxRefittingIters", "RichInt", "3"));
+  return meshlab("RIMLS", scale,
+                 filter_parameter("SigmaN", "RichFloat", "0.75") +
+                     filter_parameter("MaxRefittingIters", "RichInt", "3"));
 }
 
 SmoothVariant apss(double scale) {
   return meshlab("APSS", scale,
-                 parameter("SphericalParameter", "RichFloat", "1") +
-                     parameter("AccurateNormal", "RichBool", "true"));
+                 filter_parameter("SphericalParameter", "RichFloat", "1") +
+                     filter_parameter("AccurateNormal", "RichBool", "true"));
 }
 
 SmoothVariant bilateral(int k, int rounds) {
@@ -122,6 +117,11 @@ SmoothVariant bilateral(int k, int rounds) {
 }
 
 }  // namespace
+
+std::string filter_parameter(const char* name, const char* type, const std::string& value) {
+  return std::string("<Param name=\"") + name + "\" type=\"" + type + "\" value=\"" + value +
+         "\"/>\n";
+}
 
 std::vector<Smoother> smoothers() {
   return {

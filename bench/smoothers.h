@@ -44,6 +44,9 @@ std::vector<Smoother> smoothers();
 SmoothTask prepare_task(const RivalPlaces& places, std::vector<Vec3> points,
                         std::vector<Vec3> queries, double spacing, int k);
 
+/// A parameter of a filter in meshlabserver's script; type is one of its RichFloat, RichInt ...
+std::string filter_parameter(const char* name, const char* type, const std::string& value);
+
 /// meshlabserver on a script of one filter; inputs in the order of their numbers there.
 bool run_meshlab(const RivalPlaces& places, const std::vector<fs::path>& inputs,
                  const fs::path& output, const std::string& filter);

@@ -4,7 +4,8 @@
 // bench/rivals/cgal_mesh.cpp - CGAL's meshes: advancing front, Poisson
 //
 // cgal_mesh advancing-front IN.xyz OUT.off
-// cgal_mesh poisson IN.xyz OUT.off SPACING      (IN has oriented normals)
+// cgal_mesh poisson IN.xyz OUT.off SPACING RADIUS DISTANCE      (IN has oriented normals)
+// RADIUS and DISTANCE of the surface mesher, in spacings; CGAL's defaults are 30 and 0.375.
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -34,7 +35,7 @@ void advancing_front(const char* in, const char* path) {
   for (const Facet& f : facets) out << "3 " << f[0] << " " << f[1] << " " << f[2] << "\n";
 }
 
-void poisson(const char* in, const char* path, double spacing) {
+void poisson(const char* in, const char* path, const std::array<double, 3>& size) {
   std::vector<Pair> pairs;
   for (const Oriented& o : read_points(in))
     pairs.emplace_back(Kernel::Point_3(o.p[0], o.p[1], o.p[2]),
@@ -42,7 +43,7 @@ void poisson(const char* in, const char* path, double spacing) {
   Mesh mesh;
   if (!CGAL::poisson_surface_reconstruction_delaunay(
           pairs.begin(), pairs.end(), CGAL::First_of_pair_property_map<Pair>(),
-          CGAL::Second_of_pair_property_map<Pair>(), mesh, spacing))
+          CGAL::Second_of_pair_property_map<Pair>(), mesh, size[0], 20.0, size[1], size[2]))
     fail("no Poisson surface");
   std::ofstream out(path);
   out.precision(17);
@@ -55,8 +56,8 @@ int main(int argc, char** argv) {
   const std::string mode = argc > 1 ? argv[1] : "";
   if (mode == "advancing-front" && argc == 4)
     advancing_front(argv[2], argv[3]);
-  else if (mode == "poisson" && argc == 5)
-    poisson(argv[2], argv[3], std::atof(argv[4]));
+  else if (mode == "poisson" && argc == 7)
+    poisson(argv[2], argv[3], {std::atof(argv[4]), std::atof(argv[5]), std::atof(argv[6])});
   else
-    fail("cgal_mesh advancing-front|poisson IN.xyz OUT.off [SPACING]");
+    fail("cgal_mesh advancing-front|poisson IN.xyz OUT.off ...");
 }

@@ -1,7 +1,8 @@
 // Copyright 2026 The spigolo authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// bench/main.cpp - measures everything and writes docs/results.md
+// bench/main.cpp - measures everything and writes docs/results.md, docs/results.json and, with
+// --peers, docs/rivals.md and docs/rivals.json
 //
 // spigolo_bench [--data DIR] [--peers] [--only NAME,...] [--out FILE] [--pictures DIR]
 #include <ctime>
@@ -18,7 +19,7 @@ namespace {
 using spigolo::bench::Report;
 
 struct Arguments {
-  std::filesystem::path data, out = "docs/results.md", pictures = "out/bench";
+  std::filesystem::path data, out, pictures = "out/bench";  // out: results.md in some folder
   std::string only;  // names of sections between commas; empty: all
   bool peers = false;
 };
@@ -49,6 +50,8 @@ Arguments parse(int argc, char** argv) {
       throw spigolo::UsageError("unknown option " + option +
                                 "; there are --data --peers --only --out --pictures");
   }
+  // a part of the sections must not take the place of all
+  if (a.out.empty()) a.out = a.only.empty() ? "docs/results.md" : "out/bench/results.md";
   return a;
 }
 
@@ -57,9 +60,11 @@ void no_data(Report& report) {
   report.text("Not run: `./dev bench --data DIR` takes a folder of models.");
 }
 
-void no_peers(Report& report) {
+void name_rivals(Report& report) {
   report.heading(2, "Rivals");
-  report.text("Not run: `./dev bench --peers` installs and runs them.");
+  report.text(
+      "[rivals.md](rivals.md) has what CGAL, PCL, MeshLab, CloudCompare and Open3D do on the same "
+      "clouds. Only `./dev bench --peers` writes it, so it may be older than this page.");
 }
 
 std::vector<Section> sections(const Arguments& a) {
@@ -77,10 +82,15 @@ std::vector<Section> sections(const Arguments& a) {
           {"chapter5", [=](Report& r) { chapter5(r, a.data, shipped); }},
           {"lines", [=](Report& r) { feature_lines(r, a.data); }},
           {"speed", [=](Report& r) { speed(r, a.data); }},
-          {"peers", [=](Report& r) { a.peers ? rivals_versions(r, {}) : no_peers(r); }},
-          {"peers-detect", [=](Report& r) { a.peers ? rivals_detect(r, {}, a.data) : void(); }},
-          {"peers-smooth", [=](Report& r) { a.peers ? rivals_smooth(r, {}) : void(); }},
-          {"peers-mesh", [=](Report& r) { a.peers ? rivals_mesh(r, {}) : void(); }}};
+          {"peers", name_rivals}};
+}
+
+std::vector<Section> rival_sections(const Arguments& a) {
+  using namespace spigolo::bench;
+  return {{"peers", [](Report& r) { rivals_versions(r, {}); }},
+          {"peers-detect", [=](Report& r) { rivals_detect(r, {}, a.data); }},
+          {"peers-smooth", [](Report& r) { rivals_smooth(r, {}); }},
+          {"peers-mesh", [](Report& r) { rivals_mesh(r, {}); }}};
 }
 
 /// `only` names the section or what stands before its dash.
@@ -90,24 +100,34 @@ bool chosen(const std::string& name, const std::string& only) {
          list.find("," + group + ",") != std::string::npos;
 }
 
-void run(const Arguments& arguments) {
+/// One page: sections in their order, as Markdown and, beside it, as JSON.
+void write_page(const std::string& title, const std::vector<Section>& list, const std::string& only,
+                const std::filesystem::path& path) {
   Report report;
-  report.heading(1, "Results");
+  report.heading(1, title);
   report.text(
       "Made by `./dev bench`; do not edit by hand. docs/benchmarks.md says what is measured and "
       "how.");
-  for (const Section& section : sections(arguments)) {
-    if (!chosen(section.name, arguments.only)) continue;
+  for (const Section& section : list) {
+    if (!chosen(section.name, only)) continue;
     std::cerr << section.name << std::flush;
     const std::clock_t start = std::clock();
     section.run(report);
     std::cerr << ": " << (std::clock() - start) / CLOCKS_PER_SEC << " s of CPU\n";
   }
-  const std::string text = report.str();
-  spigolo::AtomicFile out(arguments.out);
-  out.write(text);
-  out.commit();
-  std::cerr << "wrote " << arguments.out.string() << "\n";
+  const std::filesystem::path json = std::filesystem::path(path).replace_extension(".json");
+  std::filesystem::create_directories(path.parent_path());
+  for (const auto& [file, text] : {std::pair{path, report.str()}, std::pair{json, report.json()}}) {
+    spigolo::AtomicFile out(file);
+    out.write(text);
+    out.commit();
+  }
+  std::cerr << "wrote " << path.string() << "\n";
+}
+
+void run(const Arguments& a) {
+  write_page("Results", sections(a), a.only, a.out);
+  if (a.peers) write_page("Rivals", rival_sections(a), a.only, a.out.parent_path() / "rivals.md");
 }
 
 }  // namespace

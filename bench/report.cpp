@@ -5,6 +5,7 @@
 #include "report.h"
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 namespace spigolo::bench {
 namespace {
@@ -25,6 +26,8 @@ std::string number(double value, int digits) {
 
 void Report::heading(int level, const std::string& text) {
   out_ << std::string(static_cast<std::size_t>(level), '#') << ' ' << text << "\n\n";
+  section_.resize(static_cast<std::size_t>(level) - 1);
+  section_.push_back(text);
 }
 
 void Report::text(const std::string& paragraph) { out_ << paragraph << "\n\n"; }
@@ -34,6 +37,14 @@ void Report::table(const std::vector<std::string>& head,
   out_ << row_of(head) << row_of(std::vector<std::string>(head.size(), "---"));
   for (const auto& row : rows) out_ << row_of(row);
   out_ << "\n";
+  tables_.push_back({section_, head, rows});
+}
+
+std::string Report::json() const {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Table& table : tables_)
+    list.push_back({{"section", table.section}, {"head", table.head}, {"rows", table.rows}});
+  return nlohmann::json{{"tables", list}}.dump(1) + "\n";
 }
 
 }  // namespace spigolo::bench

@@ -21,9 +21,17 @@ class Report {
   void table(const std::vector<std::string>& head,
              const std::vector<std::vector<std::string>>& rows);
   std::string str() const { return out_.str(); }
+  /// All tables: {"tables": [{"section": [headings ...], "head": [...], "rows": [[...] ...]} ...]}.
+  std::string json() const;
 
  private:
+  struct Table {
+    std::vector<std::string> section, head;
+    std::vector<std::vector<std::string>> rows;
+  };
   std::ostringstream out_;
+  std::vector<std::string> section_;  // headings that stand over what comes next
+  std::vector<Table> tables_;
 };
 
 }  // namespace spigolo::bench

@@ -273,7 +273,7 @@ void labelled(Report& report, const RivalPlaces& places, const fs::path& folder,
                     spacing});
     ask_all(places, sets.back());
   }
-  report.heading(4, "Labelled ABC clouds, " + folder.filename().string() + ": thin F1");
+  report.heading(3, "Labelled ABC clouds, " + folder.filename().string() + ": thin F1");
   report.text("With the one settings of the constructed shapes (as ours are its defaults):");
   add_table(report, sets, {"cloud", "points"}, Scoring::thin, judged);
   const Judged own = judge(sets, Scoring::thin);
@@ -285,7 +285,7 @@ void labelled(Report& report, const RivalPlaces& places, const fs::path& folder,
 }  // namespace
 
 void rivals_detect(Report& report, const RivalPlaces& places, const fs::path& data) {
-  report.heading(3, "Detection");
+  report.heading(2, "Detection");
   report.text(
       "A rival gives every point a score; points over a limit are marked. Scales are in spacings "
       "or neighbors, scores are shares, so a setting means the same on every cloud. One setting: "

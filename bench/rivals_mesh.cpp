@@ -186,7 +186,7 @@ std::vector<std::string> row_of(const SynthCloud& s, double noise, const std::st
 }  // namespace
 
 void rivals_mesh(Report& report, const RivalPlaces& places) {
-  report.heading(3, "Meshes");
+  report.heading(2, "Meshes");
   report.text(
       "8000 samples, seed 71, noise per axis in h, lengths in mean spacings: mesh to the true "
       "surface and back (rms, largest), the true edge to the mesh (mean, largest), percent of the "

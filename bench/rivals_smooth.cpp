@@ -157,17 +157,27 @@ std::vector<std::string> row_of(const Cell& cell, const Smoother& smoother, std:
   std::string best_name;
   for (std::size_t v = 0; v < all.size(); ++v)
     if (all[v] && all[v]->near < best) best = all[v]->near, best_name = smoother.variants[v].name;
-  const Quality& q = *all[one];
-  row.insert(row.end(),
-             {number(q.rms, 3), number(q.near, 3), text(q.normal, 1), text(q.gap, 3),
-              text(q.most, 2), all.size() > 1 ? number(best, 3) + " (" + best_name + ")" : ""});
+  const std::vector<std::string> figures = figures_of(*all[one]);
+  row.insert(row.end(), figures.begin(), figures.end());
+  row.push_back(all.size() > 1 ? number(best, 3) + " (" + best_name + ")" : "");
+  return row;
+}
+
+std::vector<std::string> upsampled_row(const Cell& cell) {
+  std::vector<std::string> row = {cell.shape, cell.noise, "CGAL edge-aware upsampling",
+                                  "25 deg, radius 3, x 4"};
+  const std::vector<std::string> figures =
+      cell.upsampled ? figures_of(*cell.upsampled)
+                     : std::vector<std::string>{"did not run", "", "", "", ""};
+  row.insert(row.end(), figures.begin(), figures.end());
+  row.emplace_back();
   return row;
 }
 
 }  // namespace
 
 void rivals_smooth(Report& report, const RivalPlaces& places) {
-  report.heading(3, "Smoothing");
+  report.heading(2, "Smoothing");
   report.text(
       "Every point projected; 8000 samples, seed 61, noise per axis in h, lengths in mean spacings "
       "sqrt(area / points). rms: projected points to the true surface, all and those within 3 "

@@ -7,11 +7,10 @@
 namespace spigolo::bench {
 
 void rivals_versions(Report& report, const RivalPlaces& places) {
-  report.heading(2, "Rivals");
   report.text(
       "Other programs on the same clouds, run as they come from Debian. bench/rivals holds the "
-      "small "
-      "programs that call the libraries; they are built for this table only.");
+      "small programs that call the libraries; they are built for this page only.");
+  report.heading(2, "Versions");
   struct Row {
     const char *program, *package, *what;
   };

@@ -19,12 +19,13 @@ Vec3 true_normal(const Shape& shape, const Vec3& p) {
   for (const Patch& patch : shape.patches)
     if (const double d = distance(p, patch.nearest(p)); d < best) best = d, own = &patch;
   const double step = 1e-5 * shape.radius;
+  const Vec3 foot = own->nearest(p);
   Symmetric3 tangents;
   for (const std::size_t axis : {0u, 1u, 2u})
     for (const double sign : {-1.0, 1.0}) {
       Vec3 d;
       d[axis] = sign * step;
-      tangents.add((own->nearest(p + d) - p) / step);
+      tangents.add((own->nearest(foot + d) - foot) / step);
     }
   return smallest_axis(tangents).axis;
 }

@@ -13,7 +13,7 @@ namespace spigolo::bench {
 /// sqrt(area / samples).
 double mean_spacing(const SynthCloud& cloud);
 
-/// Unit normal, sign arbitrary, of the patch that the surface point p lies on.
+/// Unit normal, sign arbitrary, of the surface where it is nearest to p.
 Vec3 true_normal(const Shape& shape, const Vec3& p);
 
 /// Places on the edges, every half spacing.

@@ -74,6 +74,11 @@ void refill(const FeatureLine& line, std::size_t count, std::vector<Vec3>& neigh
         point_at(line, (static_cast<double>(i) + 0.5) / static_cast<double>(count)));
 }
 
+SurfacePoint in_input_coordinates(const MlsCloud& cloud, SurfacePoint s, const Vec3& query) {
+  s.position = on_surface(s.status) ? s.position + cloud.origin() : query;
+  return s;
+}
+
 }  // namespace
 
 FeatureMap map_features(const MlsCloud& cloud, std::span<const PointKind> kind, std::size_t k,
@@ -118,22 +123,22 @@ SurfacePoint project_feature_line(const MlsCloud& cloud, const FeatureMap& featu
   if (around.status != SurfaceStatus::sheet) return {query, {}, {}, around.status};
   const double h = options.mls.smoothing * around.spacing;
   const auto line = local_feature_line(cloud, features, options, scratch);
-  std::optional<Vec3> on_line;
-  mls.neighbors.clear();
-  if (line) {
-    const LineFoot foot(*line);
-    const Vec3 nearest = foot.nearest(p);
-    const double least = on_line_share * around.spacing;
-    if (distance(nearest, p) <= least) on_line = nearest;
-    const Vec3 to_line = on_line ? side_vector(cloud, foot, least, scratch) : nearest - p;
-    refill(*line, cut(cloud, to_line, foot, options.side_angle, scratch), mls.neighbors);
-  } else {
+  if (!line) {
+    mls.neighbors.clear();
     for (const Neighbor& n : mls.found) mls.neighbors.push_back(cloud.points()[n.index]);
+    return in_input_coordinates(cloud, project_levin(p, mls.neighbors, h, mls), query);
   }
+  const LineFoot foot(*line);
+  const Vec3 nearest = foot.nearest(p);
+  const double to_line = distance(p, nearest), least = on_line_share * around.spacing;
+  const Vec3 side = to_line <= least ? side_vector(cloud, foot, least, scratch) : nearest - p;
+  refill(*line, cut(cloud, side, foot, options.side_angle, scratch), mls.neighbors);
   SurfacePoint result = project_levin(p, mls.neighbors, h, mls);
-  if (on_line) result.position = *on_line, result.status = SurfaceStatus::crease;
-  result.position = on_surface(result.status) ? result.position + cloud.origin() : query;
-  return result;
+  // The line is on the surface, too: nothing farther away than it is the nearest place.
+  const bool on_line = to_line <= least || distance(p, result.position) > to_line;
+  if (on_surface(result.status) && on_line)
+    result.position = nearest, result.status = SurfaceStatus::crease;
+  return in_input_coordinates(cloud, result, query);
 }
 
 }  // namespace spigolo

@@ -53,7 +53,8 @@ std::optional<FeatureLine> local_feature_line(const MlsCloud& cloud, const Featu
 
 /// The thesis's projection of a query in input coordinates: plain without a feature line; else only
 /// neighbors on the query's side of it (4.5), the missing ones replaced by samples of the line. A
-/// query on the line itself stays on it. options.mls: settled.
+/// query on the line, or nearer to it than to what comes out, goes to the line. options.mls:
+/// settled.
 SurfacePoint project_feature_line(const MlsCloud& cloud, const FeatureMap& features,
                                   const Vec3& query, const FeatureLineOptions& options,
                                   FeatureLineScratch& scratch);

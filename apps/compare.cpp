@@ -11,6 +11,7 @@
 #include "run.h"
 #include "spigolo/core/error.h"
 #include "spigolo/measure/distance.h"
+#include "spigolo/measure/samples.h"
 #include "spigolo/render/palette.h"
 #include "verbs.h"
 
@@ -18,11 +19,13 @@ namespace spigolo {
 namespace {
 
 constexpr std::size_t bytes_per_point = 400;
+// Long faces and lines are measured from about so many places, whatever their number.
+constexpr double places_on_a_mesh = 100000, places_on_lines = 20000;
 
 const VerbHelp help = {
     "compare",
-    "Distances of A to B and of B to A; each a cloud, or a mesh with faces. To a "
-    "mesh they are exact and have a sign: positive outside.",
+    "Distances of A to B and of B to A; each a cloud, a mesh with faces, or lines ('lines' writes "
+    "them). To meshes and lines they are exact; to a mesh they have a sign: positive outside.",
     "spigolo compare scan.ply part.stl --tolerance 0.1 --require 0.95 -o "
     "deviation.ply"};
 
@@ -34,8 +37,8 @@ struct CompareCommand {
 };
 
 void declare(CommandLine& line, CompareCommand& c) {
-  line.app().add_option("A", c.a, "cloud or mesh; - is standard input")->required();
-  line.app().add_option("B", c.b, "cloud or mesh")->required();
+  line.app().add_option("A", c.a, "cloud, mesh or lines; - is standard input")->required();
+  line.app().add_option("B", c.b, "cloud, mesh or lines")->required();
   line.app()
       .add_option("-o,--output", c.output, "A coloured by its distance to B, scalar_deviation")
       ->type_name("OUT.ply");
@@ -57,21 +60,53 @@ void check_door(const CompareCommand& c) {
   check_output(c.output, c.common);
 }
 
-TriangleMesh read_with_warnings(const std::string& path, Run& run) {
-  ReadReport seen;
-  TriangleMesh mesh = read_surface(path, run, seen);
-  warn(seen, path, run);
-  return mesh;
+// One of the two inputs, with the places distances are measured from: its vertices, then places
+// between them where faces or lines are long.
+struct Side {
+  TriangleMesh mesh;
+  Segments segments;
+  std::vector<Vec3> places;
+
+  bool is_mesh() const { return !mesh.triangles.empty(); }
+  bool is_lines() const { return !is_mesh() && !segments.empty(); }
+  const std::vector<Vec3>& vertices() const { return mesh.vertices.points; }
+};
+
+void add_places_between(Side& side) {
+  side.places = side.vertices();
+  std::vector<Vec3> more;
+  if (side.is_mesh())
+    more = places_between(side.mesh, std::sqrt(area_of(side.mesh) / places_on_a_mesh));
+  else if (side.is_lines())
+    more = places_between(side.vertices(), side.segments,
+                          length_of(side.vertices(), side.segments) / places_on_lines);
+  side.places.insert(side.places.end(), more.begin(), more.end());
 }
 
-std::vector<double> distances(const TriangleMesh& from, const TriangleMesh& to, const Job& job) {
-  const auto& points = from.vertices.points;
-  return to.triangles.empty() ? distances_to_points(points, to.vertices.points, job)
-                              : distances_to_mesh(points, to, true, job);
+Side read_side(const std::string& path, Run& run) {
+  ReadReport seen;
+  Side side;
+  side.mesh = read_surface(path, run, seen, &side.segments);
+  warn(seen, path, run);
+  add_places_between(side);
+  return side;
+}
+
+std::vector<double> distances(const Side& from, const Side& to, const Job& job) {
+  if (to.is_mesh()) return distances_to_mesh(from.places, to.mesh, true, job);
+  if (to.is_lines()) return distances_to_segments(from.places, to.vertices(), to.segments, job);
+  return distances_to_points(from.places, to.vertices(), job);
+}
+
+// What -o writes: A itself; of lines, the places that were measured.
+TriangleMesh surface_of(Side&& side) {
+  if (side.is_lines()) return {PointCloud{std::move(side.places), {}}, {}};
+  return std::move(side.mesh);
 }
 
 // Colours run to the 95th percentile, so that a few strays do not pale the rest.
-TriangleMesh with_deviation(TriangleMesh a, const std::vector<double>& deviation, bool with_sign) {
+TriangleMesh with_deviation(TriangleMesh a, std::vector<double> deviation, bool with_sign) {
+  deviation.resize(a.vertices.size());  // places between vertices have no vertex to colour
   const double range = summarize(deviation).p95;
   std::vector<double> red(deviation.size()), green(deviation.size()), blue(deviation.size());
   for (std::size_t i = 0; i < deviation.size(); ++i) {
@@ -83,7 +118,7 @@ TriangleMesh with_deviation(TriangleMesh a, const std::vector<double>& deviation
   a.vertices.set("red", ScalarType::uint8, std::move(red));
   a.vertices.set("green", ScalarType::uint8, std::move(green));
   a.vertices.set("blue", ScalarType::uint8, std::move(blue));
-  a.vertices.set("scalar_deviation", ScalarType::float32, deviation);
+  a.vertices.set("scalar_deviation", ScalarType::float32, std::move(deviation));
   return a;
 }
 
@@ -99,8 +134,8 @@ struct Measured {
   double spacing = 0;  // of A
 };
 
-Measured measure(const TriangleMesh& a, const TriangleMesh& b, const Job& job) {
-  return {distances(a, b, job), distances(b, a, job), summarize(a.vertices.points, job).spacing};
+Measured measure(const Side& a, const Side& b, const Job& job) {
+  return {distances(a, b, job), distances(b, a, job), summarize(a.vertices(), job).spacing};
 }
 
 Json compare_json(const CompareCommand& c, const Measured& m) {
@@ -136,14 +171,15 @@ void run_compare(const std::vector<std::string>& arguments) {
   check_door(c);
 
   Run run(c.common);
-  TriangleMesh a = read_with_warnings(c.a, run);
-  const TriangleMesh b = read_with_warnings(c.b, run);
-  const bool a_mesh = !a.triangles.empty(), b_mesh = !b.triangles.empty();
-  run.check_memory(a.vertices.size() + b.vertices.size(), bytes_per_point);
+  Side a = read_side(c.a, run);
+  const Side b = read_side(c.b, run);
+  const bool a_mesh = a.is_mesh(), b_mesh = b.is_mesh();
+  run.check_memory(a.places.size() + b.places.size(), bytes_per_point);
   const Measured m = measure(a, b, run.job());
   const bool met = c.require == 0 || share_within(m.a_to_b, c.tolerance) >= c.require;
   if (met && !c.output.empty())
-    write_surface(c.output, FileFormat::ply, with_deviation(std::move(a), m.a_to_b, b_mesh), run);
+    write_surface(c.output, FileFormat::ply,
+                  with_deviation(surface_of(std::move(a)), m.a_to_b, b_mesh), run);
   if (met) save_parameters(c.common, help, line.parameters());
 
   Json json = compare_json(c, m);

@@ -26,14 +26,15 @@ PointCloud read_points(const std::string& path, const Run& run, ReadReport& repo
   return read_cloud(path, &report);
 }
 
-TriangleMesh read_surface(const std::string& path, const Run& run, ReadReport& report) {
+TriangleMesh read_surface(const std::string& path, const Run& run, ReadReport& report,
+                          Segments* segments) {
   const bool piped = path == "-";
   FileFormat format = piped ? FileFormat::xyz : file_format(path, FileUse::read_cloud);
   if (!piped) run.check_file_size(path);
   const FileBytes file(path);
   const InputBytes input = file.view();
   if (piped && input.text().starts_with("ply")) format = FileFormat::ply;
-  if (holds_faces(format)) return read_mesh(input, format, &report);
+  if (holds_faces(format)) return read_mesh(input, format, &report, segments);
   return {read_cloud(input, format, &report), {}};
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // info, convert, synth, render and compare, end to end
+#include <cmath>
+
 #include "apps/program.h"
 #include "spigolo/io/cloud_file.h"
 
@@ -192,6 +194,42 @@ TEST_F(Verbs, compareToAMeshHasASign) {
   EXPECT_NEAR(deviation[0], 0.5, 1e-7);
   EXPECT_NEAR(deviation[1], -0.1, 1e-7);
   EXPECT_NEAR(run.json()["a_to_b"]["signed_mean"].get<double>(), 0.2, 1e-7);
+}
+
+TEST_F(Verbs, compareReadsLinesOfPlyAndObj) {
+  // A straight edge of length 3 along x, against points 0.25 above it and one far behind its end.
+  const std::string ply = file("lines.ply",
+                               "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\n"
+                               "property double y\nproperty double z\nelement edge 1\n"
+                               "property int vertex1\nproperty int vertex2\nend_header\n"
+                               "0 0 0\n3 0 0\n0 1\n");
+  const std::string obj = file("lines.obj", "v 0 0 0\nv 1.5 0 0\nv 3 0 0\nl 1 2 3\n");
+  const PointCloud points{{{0.5, 0, 0.25}, {2.5, 0, 0.25}, {7, 0, 0}}, {}};
+  const std::string cloud = cloud_file("points.ply", points);
+  for (const std::string& lines : {ply, obj}) {
+    const Outcome run = run_program({"compare", cloud, lines, "--json", "-o", path("d.ply")});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const auto deviation = values_of(read_cloud(path("d.ply")), "scalar_deviation");
+    EXPECT_NEAR(deviation[0], 0.25, 1e-7);
+    EXPECT_NEAR(deviation[2], 4, 1e-7);
+    // The middle of the line is farthest from the points, its ends are not.
+    EXPECT_NEAR(run.json()["b_to_a"]["max"].get<double>(), std::hypot(1, 0.25), 1e-3);
+    EXPECT_EQ(run.json()["a_to_b"]["count"], 3);
+  }
+  const Outcome both = run_program({"compare", ply, obj, "--json", "-o", path("d.ply")});
+  ASSERT_EQ(both.status, 0) << both.err;
+  EXPECT_NEAR(both.json()["a_to_b"]["max"].get<double>(), 0, 1e-12);
+  EXPECT_GT(read_cloud(path("d.ply")).size(), 1000u);
+  EXPECT_EQ(run_program({"compare", cloud, file("bad.obj", "v 0 0 0\nl 1 9\n")}).status, 3);
+}
+
+TEST_F(Verbs, compareMeasuresBetweenTheVerticesOfLargeFaces) {
+  // One triangle of height 1 over a dense square: its inside is as far away as its corners.
+  const std::string mesh = file("mesh.obj", "v 0 0 0\nv 8 0 0\nv 0 8 0\nf 1 2 3\n");
+  const PointCloud corners{{{0, 0, 1}, {8, 0, 1}, {0, 8, 1}}, {}};
+  const Outcome run = run_program({"compare", mesh, cloud_file("c.ply", corners), "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_GT(run.json()["a_to_b"]["max"].get<double>(), 5.5);  // the middle of the longest side
 }
 
 TEST_F(Verbs, compareFailsWhereTooFewAreInside) {

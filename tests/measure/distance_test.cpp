@@ -9,6 +9,7 @@
 #include "spigolo/core/error.h"
 #include "spigolo/core/random.h"
 #include "spigolo/measure/box_tree.h"
+#include "spigolo/measure/samples.h"
 #include "spigolo/measure/triangle_distance.h"
 
 namespace spigolo {
@@ -200,6 +201,32 @@ TEST(ToMesh, TrianglesWithoutAreaAreSkipped) {
   EXPECT_THROW(distances_to_mesh(from, mesh, true), NoResultError);
   mesh.triangles.push_back({0, 1, 3});
   EXPECT_EQ(distances_to_mesh(from, mesh, true), (std::vector<double>{3, -3}));
+}
+
+TEST(ToSegments, AgreesWithClosedFormsAndBruteForce) {
+  const std::vector<Vec3> vertices = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {not_a_number, 0, 0}};
+  const Segments lines = {
+      {0, 1}, {1, 2}, {2, 3}, {0, 0}};  // one without an end, one without length
+  const std::vector<Vec3> from = {{1, -1, 0}, {-3, -4, 0}, {2.5, 1, 0}, {0, 0, 7}, {not_a_number}};
+  const auto found = distances_to_segments(from, vertices, lines);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_DOUBLE_EQ(found[i], (std::array<double, 4>{1, 5, 0.5, 7}[i]));
+  EXPECT_TRUE(std::isnan(found[4]));
+  EXPECT_THROW(distances_to_segments(from, vertices, {{0, 3}}), NoResultError);
+}
+
+TEST(PlacesBetween, CutLongSidesIntoShortPieces) {
+  TriangleMesh mesh;
+  mesh.vertices.points = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  EXPECT_DOUBLE_EQ(area_of(mesh), 6);
+  EXPECT_TRUE(places_between(mesh, 5).empty());
+  const auto places = places_between(mesh, 0.5);  // ten pieces a side
+  EXPECT_EQ(places.size(), 66u - 3u);
+  for (const Vec3& p : places) EXPECT_LE(p.x / 4 + p.y / 3, 1 + 1e-12);
+  const Segments lines = {{0, 1}, {1, 2}};
+  EXPECT_DOUBLE_EQ(length_of(mesh.vertices.points, lines), 9);
+  EXPECT_EQ(places_between(mesh.vertices.points, lines, 1).size(), 3u + 4u);
 }
 
 TEST(Compare, BothWaysOfTwoParallelGrids) {

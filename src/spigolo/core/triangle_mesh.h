@@ -12,6 +12,9 @@
 
 namespace spigolo {
 
+/// Lines as pairs of vertex indices, one a straight piece.
+using Segments = std::vector<std::array<std::uint32_t, 2>>;
+
 /// Vertices (with their attributes) and triangles as vertex indices, counterclockwise from outside.
 struct TriangleMesh {
   PointCloud vertices;

@@ -45,12 +45,12 @@ PointCloud read_table(const InputBytes& input, bool is_pts, ReadReport& report) 
 }
 
 TriangleMesh read_polygons(const InputBytes& input, FileFormat format, bool with_faces,
-                           ReadReport& report) {
+                           ReadReport& report, Segments* segments = nullptr) {
   switch (format) {
     case FileFormat::ply:
-      return read_ply(input, with_faces, report);
+      return read_ply(input, with_faces, report, segments);
     case FileFormat::obj:
-      return read_obj(input, with_faces, report);
+      return read_obj(input, with_faces, report, segments);
     case FileFormat::off:
       return read_off(input, with_faces, report);
     case FileFormat::stl:
@@ -103,9 +103,10 @@ PointCloud read_cloud(const std::filesystem::path& path, ReadReport* report) {
   return read_cloud(input, format, report);
 }
 
-TriangleMesh read_mesh(const InputBytes& input, FileFormat format, ReadReport* report) {
+TriangleMesh read_mesh(const InputBytes& input, FileFormat format, ReadReport* report,
+                       Segments* segments) {
   return guarded(input, report,
-                 [&](ReadReport& r) { return read_polygons(input, format, true, r); });
+                 [&](ReadReport& r) { return read_polygons(input, format, true, r, segments); });
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& path, ReadReport* report) {

@@ -20,8 +20,12 @@ constexpr std::size_t most_numbers = 7;  // x y z w r g b
 
 class ObjReader {
  public:
-  ObjReader(const InputBytes& input, bool with_faces, ReadReport& report)
-      : lines_(input), input_(input), with_faces_(with_faces), report_(report) {}
+  ObjReader(const InputBytes& input, bool with_faces, ReadReport& report, Segments* segments)
+      : lines_(input),
+        input_(input),
+        with_faces_(with_faces),
+        report_(report),
+        segments_(segments) {}
 
   TriangleMesh read() {
     report_.format = "obj";
@@ -59,6 +63,7 @@ class ObjReader {
       if (with_faces_) take_face(line);
     } else if (keyword == "l") {
       ++report_.lines;
+      if (segments_ != nullptr) take_line(line);
     }
   }
 
@@ -86,7 +91,7 @@ class ObjReader {
     std::int64_t number = 0;
     const auto [stop, error] = std::from_chars(index.data(), index.data() + index.size(), number);
     if (error != std::errc{} || stop != index.data() + index.size() || number == 0)
-      lines_.fail("'" + excerpt(word) + "' names no vertex; faces count them from 1");
+      lines_.fail("'" + excerpt(word) + "' names no vertex; faces and lines count them from 1");
     const auto known = static_cast<std::int64_t>(cloud().size());
     if (number < -known) lines_.fail("'" + excerpt(word) + "' counts back behind the first vertex");
     const std::int64_t at = number > 0 ? number - 1 : known + number;
@@ -97,6 +102,14 @@ class ObjReader {
       largest_line_ = lines_.number();
     }
     return static_cast<std::uint32_t>(at);
+  }
+
+  void take_line(std::string_view rest) {
+    corners_.clear();
+    for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest))
+      corners_.push_back(corner(word));
+    for (std::size_t i = 1; i < corners_.size(); ++i)
+      segments_->push_back({corners_[i - 1], corners_[i]});
   }
 
   void take_face(std::string_view rest) {
@@ -112,7 +125,7 @@ class ObjReader {
                        "there is no vertex ('v x y z') in the file");
     if (largest_ >= static_cast<std::int64_t>(cloud().size()))
       throw InputError(input_.name, "line " + std::to_string(largest_line_),
-                       "a face names vertex " + std::to_string(largest_ + 1) + " of " +
+                       "a face or line names vertex " + std::to_string(largest_ + 1) + " of " +
                            std::to_string(cloud().size()) + "; the file is cut off or damaged");
     report_.points = cloud().size();
     if (channels_[0].size() == cloud().size())
@@ -126,18 +139,20 @@ class ObjReader {
   const InputBytes& input_;
   bool with_faces_;
   ReadReport& report_;
+  Segments* segments_;
   TriangleMesh mesh_;
   PolygonFans fans_;
   std::vector<std::vector<double>> channels_{3};  // colours, as long as every vertex had one
   std::vector<std::uint32_t> corners_;
-  std::int64_t largest_ = -1;  // index a face names
+  std::int64_t largest_ = -1;  // index a face or line names
   std::size_t largest_line_ = 0;
 };
 
 }  // namespace
 
-TriangleMesh read_obj(const InputBytes& input, bool with_faces, ReadReport& report) {
-  return ObjReader(input, with_faces, report).read();
+TriangleMesh read_obj(const InputBytes& input, bool with_faces, ReadReport& report,
+                      Segments* segments) {
+  return ObjReader(input, with_faces, report, segments).read();
 }
 
 }  // namespace spigolo

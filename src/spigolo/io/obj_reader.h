@@ -16,6 +16,8 @@ namespace spigolo {
 /// Lines are counted; all else is skipped.
 /// Throws InputError with the number of the line for what cannot be read, and if there is no
 /// vertex. A file cut between two lines cannot be told from a whole one.
-TriangleMesh read_obj(const InputBytes& input, bool with_faces, ReadReport& report);
+/// segments: receives the pieces of the 'l' polylines if it is given.
+TriangleMesh read_obj(const InputBytes& input, bool with_faces, ReadReport& report,
+                      Segments* segments = nullptr);
 
 }  // namespace spigolo

@@ -39,12 +39,13 @@ std::size_t find_polygon(const PlyElementHeader& element) {
 // Walks the elements of one file and keeps what is wanted.
 class PlyReader {
  public:
-  PlyReader(const InputBytes& input, bool with_faces, ReadReport& report)
+  PlyReader(const InputBytes& input, bool with_faces, ReadReport& report, Segments* segments)
       : input_(input),
         header_(parse_ply_header(input)),
         body_(input, header_),
         with_faces_(with_faces),
-        report_(report) {}
+        report_(report),
+        segments_(segments) {}
 
   TriangleMesh read() {
     report_.format = "ply";
@@ -56,6 +57,8 @@ class PlyReader {
         read_vertices(element);
       else if (element.name == "face")
         read_faces(element);
+      else if (element.name == "edge" && segments_ != nullptr)
+        read_edges(element);
       else
         skip(element);
     }
@@ -104,6 +107,26 @@ class PlyReader {
     });
   }
 
+  void read_edges(const PlyElementHeader& element) {
+    report_.lines += element.count;
+    const std::size_t ends[] = {find_scalar(element, "vertex1"), find_scalar(element, "vertex2")};
+    const std::vector<std::vector<double>> columns = body_.read_columns(element);
+    if (std::max(ends[0], ends[1]) == element.properties.size()) {
+      report_.warnings.push_back("the element 'edge' has no vertex1 and vertex2; it is not read");
+      return;
+    }
+    for (std::size_t i = 0; i < element.count; ++i)
+      segments_->push_back({vertex_index(columns[ends[0]][i]), vertex_index(columns[ends[1]][i])});
+  }
+
+  std::uint32_t vertex_index(double value) {
+    if (!(value >= 0 && value < 0xffffffff))
+      throw InputError(input_.name, "element edge", "an edge names a vertex that cannot be");
+    const auto index = static_cast<std::uint32_t>(value);
+    largest_edge_ = std::max<std::uint64_t>(largest_edge_, index + 1ull);
+    return index;
+  }
+
   void skip(const PlyElementHeader& element) {
     report_.skipped.push_back("element " + element.name);
     body_.skip(element);
@@ -116,6 +139,10 @@ class PlyReader {
       throw InputError(input_.name, "element face",
                        "a face names vertex " + std::to_string(largest_ - 1) + " of " +
                            std::to_string(mesh_.vertices.size()) + "; the file is damaged");
+    if (largest_edge_ > mesh_.vertices.size())
+      throw InputError(input_.name, "element edge",
+                       "an edge names vertex " + std::to_string(largest_edge_ - 1) + " of " +
+                           std::to_string(mesh_.vertices.size()) + "; the file is damaged");
     if (!body_.at_end()) report_.warnings.push_back("there is more data behind the last element");
     mesh_.triangles = fans_.take(report_);
   }
@@ -125,16 +152,19 @@ class PlyReader {
   PlyBody body_;
   bool with_faces_;
   ReadReport& report_;
+  Segments* segments_;
   TriangleMesh mesh_;
   PolygonFans fans_;
   bool has_vertices_ = false;
-  std::uint64_t largest_ = 0;  // one more than the largest index a face names
+  std::uint64_t largest_ = 0;       // one more than the largest index a face names
+  std::uint64_t largest_edge_ = 0;  // the same of edges
 };
 
 }  // namespace
 
-TriangleMesh read_ply(const InputBytes& input, bool with_faces, ReadReport& report) {
-  return PlyReader(input, with_faces, report).read();
+TriangleMesh read_ply(const InputBytes& input, bool with_faces, ReadReport& report,
+                      Segments* segments) {
+  return PlyReader(input, with_faces, report, segments).read();
 }
 
 }  // namespace spigolo

@@ -17,6 +17,8 @@ namespace spigolo {
 /// fans; without, they are counted only.
 /// Throws InputError if the header or body is damaged, or the file shorter than the header claims;
 /// nothing is allocated before the bytes are known to be there.
-TriangleMesh read_ply(const InputBytes& input, bool with_faces, ReadReport& report);
+/// segments: receives the element 'edge' (vertex1, vertex2) if it is given.
+TriangleMesh read_ply(const InputBytes& input, bool with_faces, ReadReport& report,
+                      Segments* segments = nullptr);
 
 }  // namespace spigolo

@@ -25,7 +25,7 @@ struct ReadReport {
   std::string encoding;      // "ascii", "binary_little_endian", "binary_compressed" ...
   std::uint64_t points = 0;  // as declared; where nothing is declared, as found
   std::uint64_t faces = 0;   // polygons in the file, read or not
-  std::uint64_t lines = 0;   // polylines in the file; never read
+  std::uint64_t lines = 0;   // polylines or edges in the file, read or not
   std::vector<std::string> skipped;    // elements, list properties, padding left aside, by name
   std::vector<std::string> warnings;   // one sentence each
   std::optional<CoordinateGrid> grid;  // of a LAS file; hand it to write_cloud to keep it

@@ -10,14 +10,15 @@
 #include <vector>
 
 #include "spigolo/core/geometry.h"
+#include "spigolo/core/job.h"
 
 namespace spigolo {
 
 /// A tree of boxes over items 0, 1, ... Ties in distance go to the smaller item.
 class BoxTree {
  public:
-  /// One box per item, none empty; at least one.
-  explicit BoxTree(const std::vector<Box>& boxes);
+  /// One box per item, none empty; at least one. The same tree for any number of threads.
+  explicit BoxTree(const std::vector<Box>& boxes, const Job& job = {});
 
   /// The items as the tree holds them: slot i has item items()[i]. Data kept in this order is read
   /// in one piece.
@@ -42,7 +43,17 @@ class BoxTree {
     Vec3 center;
     std::uint32_t item;
   };
-  std::uint32_t build(const std::vector<Box>& boxes, std::span<Entry> entries, std::uint32_t begin);
+  // Entries that become one subtree: split into two parts, or built by one thread.
+  struct Part {
+    std::span<Entry> entries;
+    std::uint32_t begin = 0;   // first slot
+    std::size_t children = 0;  // the first of two; 0: not split
+    std::vector<Node> nodes;
+  };
+  static std::uint32_t split(std::span<Entry> entries);
+  static std::uint32_t build(const std::vector<Box>& boxes, std::span<Entry> entries,
+                             std::uint32_t begin, std::vector<Node>& nodes);
+  std::uint32_t join(const std::vector<Part>& parts, std::size_t part);
 
   std::vector<std::uint32_t> items_;
   std::vector<Node> nodes_;

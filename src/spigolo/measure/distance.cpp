@@ -4,11 +4,12 @@
 // spigolo/measure/distance.cpp - distances to the nearest point and to the nearest triangle
 #include "spigolo/measure/distance.h"
 
-#include <memory>
+#include <cmath>
 #include <optional>
 
 #include "spigolo/core/error.h"
 #include "spigolo/core/parallel.h"
+#include "spigolo/index/kd_tree.h"
 #include "spigolo/measure/box_tree.h"
 #include "spigolo/measure/pseudo_normals.h"
 #include "spigolo/measure/triangle_distance.h"
@@ -42,11 +43,39 @@ std::vector<T> in_slots(const BoxTree& tree, const std::vector<T>& data) {
   return result;
 }
 
-BoxTree triangle_tree(const std::vector<Vec3>& v, const std::vector<Triangle>& triangles) {
+BoxTree triangle_tree(const std::vector<Vec3>& v, const std::vector<Triangle>& triangles,
+                      const Job& job) {
   std::vector<Box> boxes(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i)
     for (const std::uint32_t corner : triangles[i]) boxes[i].add(v[corner]);
-  return BoxTree(boxes);
+  return BoxTree(boxes, job);
+}
+
+// The index of the first point at each place.
+std::vector<std::size_t> first_at_place(const OrderedCloud& cloud) {
+  std::vector<std::size_t> first(cloud.size());
+  for (std::size_t i = cloud.rank.size(); i-- > 0;)
+    if (cloud.rank[i] != no_point) first[cloud.rank[i]] = i;
+  return first;
+}
+
+// The distance of every point, NaN where it is not finite. Points that lie together are measured
+// together, which finds their way through the tree in the cache; equal ones are measured once.
+// make_measure: called once a range, so that what it returns can keep scratch memory.
+template <class MakeMeasure>
+std::vector<double> by_place(std::span<const Vec3> points, const Job& job,
+                             const MakeMeasure& make_measure) {
+  const OrderedCloud cloud = order_cloud(points, job);
+  const std::vector<std::size_t> first = first_at_place(cloud);
+  std::vector<double> at_place(cloud.size());
+  parallel_for(job, "distances", cloud.size(), grain, [&](std::size_t begin, std::size_t end) {
+    auto measure = make_measure();
+    for (std::size_t r = begin; r < end; ++r) at_place[r] = measure(points[first[r]]);
+  });
+  std::vector<double> result(points.size(), not_a_number);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (cloud.rank[i] != no_point) result[i] = at_place[cloud.rank[i]];
+  return result;
 }
 
 }  // namespace
@@ -82,31 +111,51 @@ double share_within(std::span<const double> distances, double tolerance) {
 
 std::vector<double> distances_to_points(std::span<const Vec3> points, std::span<const Vec3> to,
                                         const Job& job) {
-  std::vector<Vec3> targets;
-  std::vector<Box> boxes;
-  for (const Vec3& q : to)
-    if (is_finite(q)) targets.push_back(q), boxes.push_back({q, q});
-  if (targets.empty()) throw NoResultError("there is no point to measure distances to");
-  const BoxTree tree(boxes);
-  targets = in_slots(tree, targets);
-  std::vector<double> result(points.size(), not_a_number);
-  parallel_for(job, "distances", points.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vec3& p = points[i];
-      if (!is_finite(p)) continue;
-      const auto near =
-          tree.nearest(p, [&](std::size_t j) { return squared_distance(p, targets[j]); });
-      result[i] = std::sqrt(near.squared_distance);
-    }
+  const OrderedCloud targets = order_cloud(to, job);
+  if (targets.size() == 0) throw NoResultError("there is no point to measure distances to");
+  const KdTree tree(targets);
+  const std::vector<std::size_t> first = first_at_place(targets);
+  return by_place(points, job, [&] {
+    return [&, found = std::vector<Neighbor>()](const Vec3& p) mutable {
+      tree.nearest(p - targets.origin, 1, found);
+      return distance(p, to[first[found.front().index]]);  // without the rounding of the origin
+    };
   });
-  return result;
+}
+
+std::vector<double> distances_to_segments(std::span<const Vec3> points,
+                                          std::span<const Vec3> vertices, const Segments& segments,
+                                          const Job& job) {
+  std::vector<std::array<Vec3, 2>> ends;
+  std::vector<Box> boxes;
+  for (const auto& [i, j] : segments) {
+    if (!is_finite(vertices[i]) || !is_finite(vertices[j])) continue;
+    ends.push_back({vertices[i], vertices[j]});
+    boxes.emplace_back();
+    for (const Vec3& end : ends.back()) boxes.back().add(end);
+  }
+  if (ends.empty()) throw NoResultError("there is no line to measure distances to");
+  const BoxTree tree(boxes, job);
+  ends = in_slots(tree, ends);
+  return by_place(points, job, [&] {
+    return [&](const Vec3& p) {
+      const auto near = tree.nearest(p, [&](std::size_t slot) {
+        const auto& [a, b] = ends[slot];
+        const Vec3 along = b - a;
+        const double squared = squared_norm(along);
+        const double t = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
+        return squared_distance(p, a + along * t);
+      });
+      return std::sqrt(near.squared_distance);
+    };
+  });
 }
 
 std::vector<double> distances_to_mesh(std::span<const Vec3> points, const TriangleMesh& mesh,
                                       bool with_sign, const Job& job) {
   const std::vector<Vec3>& v = mesh.vertices.points;
   std::vector<Triangle> triangles = measurable(mesh);
-  const BoxTree tree = triangle_tree(v, triangles);
+  const BoxTree tree = triangle_tree(v, triangles, job);
   triangles = in_slots(tree, triangles);
   std::optional<PseudoNormals> normals;
   if (with_sign) normals.emplace(v, triangles);
@@ -114,20 +163,16 @@ std::vector<double> distances_to_mesh(std::span<const Vec3> points, const Triang
     const Triangle& t = triangles[f];
     return nearest_on_triangle(p, v[t[0]], v[t[1]], v[t[2]]);
   };
-  std::vector<double> result(points.size(), not_a_number);
-  parallel_for(job, "distances", points.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vec3& p = points[i];
-      if (!is_finite(p)) continue;
+  return by_place(points, job, [&] {
+    return [&](const Vec3& p) {
       const auto near =
           tree.nearest(p, [&](std::size_t f) { return squared_distance(p, foot(p, f).point); });
-      result[i] = std::sqrt(near.squared_distance);
-      if (!normals) continue;
+      const double size = std::sqrt(near.squared_distance);
+      if (!normals) return size;
       const TriangleFoot q = foot(p, near.slot);
-      if (dot(p - q.point, normals->at(near.slot, q.part)) < 0) result[i] = -result[i];
-    }
+      return dot(p - q.point, normals->at(near.slot, q.part)) < 0 ? -size : size;
+    };
   });
-  return result;
 }
 
 Comparison compare(std::span<const Vec3> a, std::span<const Vec3> b, const Job& job) {

@@ -38,6 +38,12 @@ std::vector<double> distances_to_points(std::span<const Vec3> points, std::span<
 std::vector<double> distances_to_mesh(std::span<const Vec3> points, const TriangleMesh& mesh,
                                       bool with_sign, const Job& job = {});
 
+/// Exact distance of every point to the nearest of the segments; NaN for points that are not
+/// finite. Throws NoResultError if no segment has finite ends.
+std::vector<double> distances_to_segments(std::span<const Vec3> points,
+                                          std::span<const Vec3> vertices, const Segments& segments,
+                                          const Job& job = {});
+
 struct Comparison {
   DistanceStats a_to_b, b_to_a;
 };

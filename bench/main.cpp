@@ -76,6 +76,8 @@ std::vector<Section> sections(const Arguments& a) {
           {"fillets", fillets},
           {"creases", creases},
           {"hardships", hardships},
+          {"chapter4", [=](Report& r) { chapter4(r, a.data); }},
+          {"figures", [=](Report& r) { chapter4_pictures(r, a.pictures); }},
           {"meshing", meshing},
           {"real",
            [=](Report& r) { a.data.empty() ? no_data(r) : real_clouds(r, a.data, a.pictures); }},

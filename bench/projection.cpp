@@ -10,6 +10,7 @@
 
 #include "spigolo/core/error.h"
 #include "spigolo/detect/detect.h"
+#include "spigolo/mls/sharp.h"
 #include "spigolo/mls/sharp_neighborhood.h"
 
 namespace spigolo::bench {
@@ -86,7 +87,7 @@ void measure_distances(const Specimen& s, const Projection& project, std::size_t
 double gap_at(const Specimen& s, const Projection& project, const Vec3& x, const Vec3& along) {
   const Vec3 u = any_perpendicular(along), v = cross(along, u);
   double best = infinity;
-  for (const double r : {0.0, 0.03, 0.06, 0.1, 0.15, 0.22, 0.3, 0.45, 0.6})
+  for (const double r : {0.0, 0.05, 0.1, 0.2, 0.3, 0.5})
     for (int turn = 0; turn < 12; ++turn) {
       const double a = 2 * pi * turn / 12;
       const SurfacePoint on = project(x + (u * std::cos(a) + v * std::sin(a)) * (r * s.spacing));
@@ -100,7 +101,7 @@ double gap_at(const Specimen& s, const Projection& project, const Vec3& x, const
 
 void measure_gaps(const Specimen& s, const Projection& project, ProjectionQuality& q) {
   const Shape& shape = s.synth.shape;
-  constexpr int per_crease = 24;
+  constexpr int per_crease = 12;
   double sum = 0;
   std::size_t count = 0;
   for (const ExactCrease& crease : shape.creases)
@@ -166,11 +167,20 @@ Projection feature_line(const MlsCloud& cloud, std::span<const PointKind> kind,
   };
 }
 
+Projection sheets(const MlsCloud& cloud, std::span<const PointKind>, const MlsOptions& options) {
+  std::vector<Vec3> points(cloud.points().begin(), cloud.points().end());
+  for (Vec3& p : points) p += cloud.origin();
+  const auto surface = std::make_shared<SharpSurface>(points, options);
+  return [surface, probe = std::make_shared<SheetProbe>(surface->probe())](const Vec3& query) {
+    return project_sharp(*surface, query, *probe);
+  };
+}
+
 }  // namespace
 
 const std::vector<ProjectionMethod>& projection_methods() {
-  static const std::vector<ProjectionMethod> methods = {{"plain", plain},
-                                                        {"feature-line", feature_line}};
+  static const std::vector<ProjectionMethod> methods = {
+      {"plain", plain}, {"feature-line", feature_line}, {"sheets", sheets}};
   return methods;
 }
 

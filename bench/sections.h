@@ -24,6 +24,9 @@ void chapter5(Report& report, const std::filesystem::path& data,
 /// data: folder with abc/clean and the models; may be empty.
 void feature_lines(Report& report, const std::filesystem::path& data);
 void meshing(Report& report);
+void chapter4(Report& report, const std::filesystem::path& data);     // data may be empty
+void local_lines(Report& report, const std::filesystem::path& data);  // tables 3 and 4
+void chapter4_pictures(Report& report, const std::filesystem::path& pictures);
 void speed(Report& report, const std::filesystem::path& data);  // data may be empty
 /// Files of the folder `data` (see docs/benchmarks.md); pictures go to `pictures`.
 void real_clouds(Report& report, const std::filesystem::path& data,

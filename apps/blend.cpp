@@ -4,6 +4,7 @@
 // apps/blend.cpp - spigolo blend: a scan and a CAD face made one cloud
 #include "spigolo/pipeline/blend.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <optional>
@@ -202,8 +203,8 @@ void write_outputs(const BlendCommand& c, const CadFile& cad, const SharpBlend& 
       write_step(output, content, cad.unit().empty() ? "mm" : cad.unit());
     }
   job.check();
-  for (const std::string& output : c.outputs)
-    if (!is_step(output)) write_surface(output, FileFormat::ply, {std::move(cloud), {}}, run);
+  const auto ply = std::find_if_not(c.outputs.begin(), c.outputs.end(), is_step);
+  write_surface(*ply, FileFormat::ply, {std::move(cloud), {}}, run);
 }
 
 // The collar is never a crease; edges of the cloud are.

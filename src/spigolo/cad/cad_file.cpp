@@ -13,6 +13,7 @@
 #include <IGESControl_Reader.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
@@ -21,6 +22,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -98,12 +100,24 @@ std::string first_bytes(const std::filesystem::path& path, std::size_t count) {
                        " file: it cannot be parsed to its end; export it again");
 }
 
+// Transferring an entity that did not load crashes OpenCASCADE: the file is refused before.
+void require_sound(const std::filesystem::path& path, const Interface_InterfaceModel& model,
+                   const char* format) {
+  for (int i = 1; i <= model.NbEntities(); ++i)
+    if (model.IsErrorEntity(i))
+      throw InputError(path.string(), "entity " + std::to_string(i),
+                       std::string("is a damaged ") + format +
+                           " file: this entity names what is not there, or is not what its type "
+                           "says; export it again");
+}
+
 Loaded load_step(const std::filesystem::path& path) {
   if (first_bytes(path, 4096).find("ISO-10303-21") == std::string::npos)
     throw InputError(path.string(), "header", "is no STEP file: ISO-10303-21 is not there");
   STEPControl_Controller::Init();
   STEPControl_Reader reader;
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) damaged(path, "STEP");
+  require_sound(path, *reader.WS()->Model(), "STEP");
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.FileUnits(lengths, angles, solid_angles);
   Loaded loaded;
@@ -120,6 +134,7 @@ Loaded load_iges(const std::filesystem::path& path) {
   IGESControl_Controller::Init();
   IGESControl_Reader reader;
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) damaged(path, "IGES");
+  require_sound(path, *reader.IGESModel(), "IGES");
   const Handle(TCollection_HAsciiString) unit = reader.IGESModel()->GlobalSection().UnitName();
   Loaded loaded;
   loaded.unit = keep_unit(unit.IsNull() ? "" : unit->ToCString());

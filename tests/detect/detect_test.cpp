@@ -357,5 +357,25 @@ TEST(Detect, CloudsBeyondTheLimitAreNamed) {
   EXPECT_NE(warnings(1)[0].find("beyond"), std::string::npos);
 }
 
+// Noise ten times larger at one end: one estimate for the whole cloud takes the noisy end for
+// edges.
+TEST(Detect, NoiseMayDifferOverTheCloud) {
+  for (const char* shape : {"steps", "sphere", "torus"}) {
+    SynthOptions options;
+    options.shape = shape;
+    options.sampling = Sampling::blue;
+    options.noise = 0.1;
+    options.noise_gradient = 10;
+    options.seed = 9;
+    const SynthCloud s = make_cloud(options);
+    const Classification c = classify(sharp_flags(detect(s.cloud.points).features),
+                                      read_truth(s.cloud, s.spacing, s.lattice), Scoring::tolerant);
+    EXPECT_LE(c.outliers, 10u) << shape;
+    if (c.features > 0) {
+      EXPECT_GT(c.f1, 0.93) << shape;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace spigolo

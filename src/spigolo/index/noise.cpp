@@ -96,6 +96,11 @@ double lower_quartile(std::vector<double>& values) {
 
 }  // namespace
 
+double noise_of_flattest_half(std::span<const Vec3> points, std::size_t i,
+                              std::span<const std::uint32_t> row, double spacing) {
+  return half_factor * half_deviation(points, i, row.first(quadric_k), spacing);
+}
+
 double estimate_noise(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                       const Spacing& spacing, const Job& job) {
   if (neighborhoods.k < quadric_k || points.size() < 4 * quadric_k) return 0;

@@ -4,6 +4,7 @@
 // spigolo/index/noise.h - how far the samples lie off the surface
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "spigolo/core/job.h"
@@ -21,5 +22,11 @@ namespace spigolo {
 /// order.
 double estimate_noise(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                       const Spacing& spacing, const Job& job = {});
+
+/// Noise at one point [spacings], from the flattest half of its 16 nearest neighbors: twice the
+/// smallest median distance to a plane through it and two of them (least median of squares,
+/// Rousseeuw 1984). Not misled while half of them lie on one flat sheet. row: at least 16.
+double noise_of_flattest_half(std::span<const Vec3> points, std::size_t i,
+                              std::span<const std::uint32_t> row, double spacing);
 
 }  // namespace spigolo

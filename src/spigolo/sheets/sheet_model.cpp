@@ -10,6 +10,7 @@
 #include "spigolo/core/parallel.h"
 #include "spigolo/sheets/convexity.h"
 #include "spigolo/sheets/gaps.h"
+#include "spigolo/sheets/local_noise.h"
 #include "spigolo/sheets/refine.h"
 #include "spigolo/sheets/strength.h"
 #include "spigolo/sheets/tips.h"
@@ -41,13 +42,11 @@ void note_plain_places(SheetModel& model, const Job& job) {
   model.plain = std::move(plain);
 }
 
-SheetModel build_sheet_model(PreparedCloud prepared, const SheetOptions& options, const Job& job) {
-  SheetModel model;
-  model.prepared = std::move(prepared);
-  model.tolerances = sheet_tolerances(model.prepared.noise, model.prepared.spacing.on_lines);
-  widen_neighborhoods(model.prepared, model.tolerances.k, job);
+namespace {
+
+// Own sheets and first verdicts of all points, as if this were the noise everywhere.
+void judge_all(SheetModel& model, const SheetOptions& options, const Job& job) {
   const PreparedCloud& p = model.prepared;
-  model.own = find_own_sheets(p.cloud.points, p.neighborhoods, p.spacing, model.tolerances, job);
   model.verdicts = judge_points(p.cloud.points, p.neighborhoods, p.spacing, model.own,
                                 model.tolerances, options, job);
   if (model.tolerances.noise < exact_noise) {
@@ -56,10 +55,55 @@ SheetModel build_sheet_model(PreparedCloud prepared, const SheetOptions& options
     refine_creases(model, options, job);
     clean_verdicts(p.cloud.points, p.neighborhoods, p.spacing, model.verdicts);
   }
-  const SheetCloud cloud{p.cloud.points, p.neighborhoods, p.spacing, model.own};
-  find_tips(cloud, model.tolerances, model.verdicts);
-  rate_verdicts(cloud, model.tolerances, model.verdicts);
-  note_convexity(cloud, model.tolerances, model.verdicts, job);
+}
+
+void find_sheets(SheetModel& model, double noise, const Job& job) {
+  model.tolerances = sheet_tolerances(noise, model.prepared.spacing.on_lines);
+  widen_neighborhoods(model.prepared, model.tolerances.k, job);
+  const PreparedCloud& p = model.prepared;
+  model.own = find_own_sheets(p.cloud.points, p.neighborhoods, p.spacing, model.tolerances, job);
+}
+
+// Noise that differs over the cloud: each level judges all points, each point takes the verdict of
+// the level its own noise is nearest to.
+void judge_by_levels(SheetModel& model, const std::vector<double>& local,
+                     const std::vector<double>& levels, const SheetOptions& options,
+                     const Job& job) {
+  std::vector<Sheet> own(model.size());
+  std::vector<SheetVerdict> verdicts(model.size());
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    find_sheets(model, levels[level], job);
+    judge_all(model, options, job);
+    for (std::size_t i = 0; i < model.size(); ++i) {
+      if (nearest_level(levels, local[i]) != level) continue;
+      own[i] = model.own[i];
+      verdicts[i] = model.verdicts[i];
+    }
+  }
+  model.own = std::move(own);
+  model.verdicts = std::move(verdicts);
+  model.tolerances = sheet_tolerances(model.prepared.noise, model.prepared.spacing.on_lines);
+}
+
+}  // namespace
+
+SheetModel build_sheet_model(PreparedCloud prepared, const SheetOptions& options, const Job& job) {
+  SheetModel model;
+  model.prepared = std::move(prepared);
+  find_sheets(model, model.prepared.noise, job);
+  const auto cloud = [&]() -> SheetCloud {
+    const PreparedCloud& p = model.prepared;
+    return {p.cloud.points, p.neighborhoods, p.spacing, model.own};
+  };
+  const std::vector<double> local = estimate_local_noise(cloud(), job);
+  const std::vector<double> levels = noise_levels(local, model.prepared.noise);
+  if (levels.size() == 1)
+    judge_all(model, options, job);
+  else
+    judge_by_levels(model, local, levels, options, job);
+  find_tips(cloud(), model.tolerances, model.verdicts);
+  rate_verdicts(cloud(), model.tolerances, model.verdicts);
+  note_convexity(cloud(), model.tolerances, model.verdicts, job);
   return model;
 }
 

@@ -1,0 +1,83 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/sheets/local_noise.cpp
+#include "spigolo/sheets/local_noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "spigolo/core/parallel.h"
+#include "spigolo/index/noise.h"
+
+namespace spigolo {
+namespace {
+
+constexpr std::size_t grain = 512;
+constexpr std::size_t asked = 20;    // neighbors
+constexpr std::size_t half_of = 16;  // neighbors that the flattest half is sought in
+constexpr double quartile = 0.25, quartile_bias = 0.85;  // lower one, and what it is of the noise
+constexpr double exact = 0.02;                           // [spacings] less noise is as good as none
+constexpr double uneven = 3;      // ratio of the noisiest tenth to the quietest
+constexpr double level_step = 2;  // ratio of neighboring levels
+constexpr double tenth = 0.1;
+
+double quantile(std::vector<double>& values, double share) {
+  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
+}
+
+double noise_at(const SheetCloud& cloud, std::size_t i) {
+  if (cloud.sheets[i].whole || cloud.neighborhoods.k < half_of) return cloud.sheets[i].deviation;
+  return noise_of_flattest_half(cloud.points, i, cloud.neighborhoods.of(i),
+                                cloud.spacing.of_point[i]);
+}
+
+}  // namespace
+
+std::vector<double> estimate_local_noise(const SheetCloud& cloud, const Job& job) {
+  std::vector<double> first(cloud.size()), second(cloud.size());
+  const auto sweep = [&](std::vector<double>& result, double share, auto&& value_of) {
+    parallel_for(job, "", cloud.size(), grain, [&](std::size_t begin, std::size_t end) {
+      std::vector<double> values;
+      for (std::size_t i = begin; i < end; ++i) {
+        values.assign(1, value_of(i));
+        const auto row = cloud.neighborhoods.of(i);
+        for (const std::uint32_t j : row.first(std::min(asked, row.size())))
+          values.push_back(value_of(j));
+        result[i] = quantile(values, share);
+      }
+    });
+  };
+  std::vector<double> own(cloud.size());
+  parallel_for(job, "", cloud.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) own[i] = noise_at(cloud, i);
+  });
+  sweep(first, quartile, [&](std::size_t j) { return own[j]; });
+  sweep(second, 0.5, [&](std::size_t j) { return first[j]; });
+  for (double& noise : second) noise /= quartile_bias;
+  return second;
+}
+
+std::vector<double> noise_levels(const std::vector<double>& local, double of_cloud) {
+  std::vector<double> sorted;
+  for (const double noise : local)
+    if (std::isfinite(noise)) sorted.push_back(std::max(noise, exact));
+  if (sorted.empty()) return {of_cloud};
+  const double low = quantile(sorted, tenth), high = quantile(sorted, 1 - tenth);
+  if (high < uneven * low) return {of_cloud};
+  std::vector<double> levels;
+  for (double noise = low; noise < high * std::sqrt(level_step); noise *= level_step)
+    levels.push_back(noise);
+  return levels;
+}
+
+std::size_t nearest_level(const std::vector<double>& levels, double noise) {
+  std::size_t best = 0;
+  for (std::size_t l = 1; l < levels.size(); ++l)
+    if (noise > std::sqrt(levels[l - 1] * levels[l])) best = l;
+  return best;
+}
+
+}  // namespace spigolo

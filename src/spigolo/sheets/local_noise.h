@@ -1,0 +1,26 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/sheets/local_noise.h - noise that differs from place to place
+#pragma once
+
+#include <vector>
+
+#include "spigolo/core/job.h"
+#include "spigolo/sheets/sheet_cloud.h"
+
+namespace spigolo {
+
+/// Noise at each point [spacings of the point]: the residual of its own sheet where that holds the
+/// whole neighborhood, else of the flattest half of it; lower quartile over the neighbors, then the
+/// median of that over the neighbors again.
+std::vector<double> estimate_local_noise(const SheetCloud& cloud, const Job& job = {});
+
+/// The few levels that a noise differing over the cloud is treated by, lowest first; one alone,
+/// `of_cloud`, where it differs by less than a factor of about three or is too small to matter.
+std::vector<double> noise_levels(const std::vector<double>& local, double of_cloud);
+
+/// Which of the levels (at least one, ascending) is nearest to a noise, by ratio.
+std::size_t nearest_level(const std::vector<double>& levels, double noise);
+
+}  // namespace spigolo

@@ -15,4 +15,5 @@
 #include "spigolo/index/summary.h"    // summarize(): counts, spacing, noise
 #include "spigolo/io/cloud_file.h"    // read_cloud(), write_cloud()
 #include "spigolo/pipeline/blend.h"   // blend(), blend_sharp()
+#include "spigolo/pipeline/mesh.h"    // mesh_cloud()
 #include "spigolo/pipeline/smooth.h"  // smooth()

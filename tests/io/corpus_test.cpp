@@ -12,7 +12,7 @@ std::filesystem::path fuzz_folder() {
 #ifdef SPIGOLO_FUZZ_DIR
   return SPIGOLO_FUZZ_DIR;
 #else
-  return std::filesystem::path(__FILE__).parent_path() / "../../fuzz";
+  return SPIGOLO_CORPUS;
 #endif
 }
 

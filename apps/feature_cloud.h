@@ -12,8 +12,8 @@
 namespace spigolo {
 
 /// red green blue by kind, quality, scalar_kind, scalar_angle [degrees], scalar_convex,
-/// scalar_curve, edge_x edge_y edge_z, scalar_sheets, direction_x direction_y direction_z; then the attributes the cloud came with, except those of
-/// these names.
+/// scalar_curve, edge_x edge_y edge_z, scalar_sheets, direction_x direction_y direction_z; then the
+/// attributes the cloud came with, except those of these names.
 PointCloud with_features(PointCloud cloud, const Features& features);
 
 /// The kinds in an attribute of such a cloud; anything that is no kind counts as surface.

@@ -8,13 +8,7 @@
 namespace spigolo {
 namespace {
 
-std::filesystem::path fuzz_folder() {
-#ifdef SPIGOLO_FUZZ_DIR
-  return SPIGOLO_FUZZ_DIR;
-#else
-  return SPIGOLO_CORPUS;
-#endif
-}
+std::filesystem::path fuzz_folder() { return SPIGOLO_FUZZ_DIR; }
 
 constexpr std::pair<const char*, FileFormat> formats[] = {
     {"ply", FileFormat::ply}, {"text", FileFormat::xyz}, {"obj", FileFormat::obj},

@@ -47,8 +47,8 @@ TEST(Obj, ColoursFromBothScales) {
 TEST(Obj, DamageNamesTheLine) {
   EXPECT_TRUE(has(error_of("v 0 0\n", FileFormat::obj), "fixture, line 1: a vertex has 2 numbers"));
   EXPECT_TRUE(has(error_of("v 0 0 a\n", FileFormat::obj), "line 1: 'a' is not a number"));
-  EXPECT_TRUE(
-      has(error_of("v 0 0 0\nf 1 2 3\n", FileFormat::obj), "line 2: a face or line names vertex 3"));
+  EXPECT_TRUE(has(error_of("v 0 0 0\nf 1 2 3\n", FileFormat::obj),
+                  "line 2: a face or line names vertex 3"));
   EXPECT_TRUE(has(error_of("v 0 0 0\nf 1 -2 1\n", FileFormat::obj), "line 2: '-2'"));
   EXPECT_TRUE(has(error_of("v 0 0 0\nf 0 1 1\n", FileFormat::obj), "line 2: '0'"));
   EXPECT_TRUE(has(error_of("hello\n", FileFormat::obj), "no vertex"));

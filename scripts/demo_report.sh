@@ -80,6 +80,9 @@ HTML
 <tr><td>features.ply</td><td>the same points in the same order, coloured by label; in scalar_kind 0 is
 surface, 1 edge, 2 corner, 3 tip, 4 border</td><td>CloudCompare (choose the scalar field), MeshLab</td></tr>
 <tr><td>features.png</td><td>the picture above</td><td>any picture viewer</td></tr>
+<tr><td>edges.dxf, edges.step, edges.json</td><td>its edges and corners as curves</td><td>any CAD
+program</td></tr>
+<tr><td>mesh.ply, mesh.png</td><td>the sharp triangle mesh and a picture of it</td><td>MeshLab, Blender</td></tr>
 <tr><td>report.json</td><td>counts, parameters and seconds, for programs</td><td>any text editor</td></tr>
 </table></body></html>
 HTML
@@ -88,4 +91,5 @@ HTML
 page >"$out/report.html.part"
 mv "$out/report.html.part" "$out/report.html"
 echo "open $out/report.html (the whole story, in any browser)"
+echo "     $out/edges.step and edges.dxf (its edges, in a CAD program), $out/mesh.ply (the sharp mesh)"
 echo "     $out/features.ply (the labelled points, in CloudCompare or MeshLab)"

@@ -4,12 +4,12 @@
 // spigolo/detect/detect.cpp - order, neighbors, spacing, verdicts, back to the order of the input
 #include "spigolo/detect/detect.h"
 
-#include <chrono>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "spigolo/core/error.h"
+#include "spigolo/core/stopwatch.h"
 #include "spigolo/detect/methods.h"
 #include "spigolo/index/prepared_cloud.h"
 
@@ -79,17 +79,6 @@ void warn_of_noise(Detection& result) {
                 " % of the spacing is beyond what edges can be told from: many are missed, some "
                 "are chance; scan more densely or average several scans");
 }
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 }  // namespace
 

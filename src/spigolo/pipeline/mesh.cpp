@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <utility>
 
 #include "spigolo/core/error.h"
 #include "spigolo/core/parallel.h"
+#include "spigolo/core/stopwatch.h"
 #include "spigolo/detect/methods.h"
 #include "spigolo/mls/sharp.h"
 #include "spigolo/trace/trace.h"
@@ -25,17 +25,6 @@ constexpr std::size_t lone_neighbors = 9;
 constexpr double disagreement = 0.15;  // [spacings] of sheets continued to one place
 constexpr double farthest_move = 1.0;  // [spacings] a point moved farther is on no sheet ...
 constexpr double move_by_noise = 4;    // ... plus so many times the noise
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 std::vector<Vec3> in_input_units(const OrderedCloud& cloud) {
   std::vector<Vec3> points(cloud.points);

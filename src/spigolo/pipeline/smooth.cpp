@@ -5,12 +5,12 @@
 // order of the input
 #include "spigolo/pipeline/smooth.h"
 
-#include <chrono>
 #include <functional>
 #include <utility>
 
 #include "spigolo/core/error.h"
 #include "spigolo/core/parallel.h"
+#include "spigolo/core/stopwatch.h"
 #include "spigolo/detect/methods.h"
 #include "spigolo/mls/sharp.h"
 #include "spigolo/mls/sharp_neighborhood.h"
@@ -20,17 +20,6 @@ namespace {
 
 constexpr std::size_t grain = 256;
 constexpr std::size_t prepared_k = 20;  // neighbors that spacing, noise and labels start from
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 // The labels of the places in canonical order: given ones, or found ones.
 std::vector<PointKind> labels_of(PreparedCloud& prepared, const SmoothOptions& options,

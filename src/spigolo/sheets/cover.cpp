@@ -10,10 +10,9 @@
 namespace spigolo {
 namespace {
 
-constexpr std::size_t least_gain = 3;          // neighbors that a further sheet must explain
-constexpr double on_floor = 0.08, wide = 2.5;  // [spacings], [standard deviations]
-constexpr double exact_noise = 0.03;  // [spacings] with more, the best fit is the luckiest one
-constexpr double rounding = 1e-6;     // [spacings]
+constexpr std::size_t least_gain = 3;                // neighbors that a further sheet must explain
+constexpr double on_floor = 0.08, wide = 2.5;        // [spacings], [standard deviations]
+constexpr double rounding = 1e-6;                    // [spacings]
 constexpr double good_floor = 0.06, good_fit = 1.5;  // the same, of a sheet's residuals
 
 // How well a sheet fits, with all that differs by rounding alike: no verdict may hang on that.
@@ -78,8 +77,7 @@ SheetCover cover_neighborhood(std::span<const Vec3> points, std::span<const Shee
     add(*best, best_on);
   }
   cover.unexplained = left.count();
-  if (tolerances.noise < exact_noise && cover.count > 1)
-    take_best_fits(points, sheets, members, limit, cover);
+  if (tolerances.exact() && cover.count > 1) take_best_fits(points, sheets, members, limit, cover);
   return cover;
 }
 

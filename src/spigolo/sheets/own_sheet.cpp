@@ -24,7 +24,6 @@ constexpr int tighten_rounds = 6;
 constexpr double outlying = 3, normal_per_median = 1.4826;  // standard deviations, for a median
 constexpr double rounding = 1e-7;                           // [spacings] of exact data
 constexpr std::size_t most_points = 128;
-constexpr double exact_noise = 0.03;  // [spacings] with less, sheets are as exact as the points
 constexpr double shifted_fit = 1.1, shifted_height = 0.3;  // of squared residuals and heights
 constexpr double mostly_lines = 0.4;                       // share of points on scan lines
 constexpr std::size_t lines_k = 48, lines_asked = 40;
@@ -175,7 +174,7 @@ std::vector<Sheet> find_own_sheets(std::span<const Vec3> points, const Neighborh
       }
     });
   };
-  if (tolerances.noise < exact_noise) {
+  if (tolerances.exact()) {
     for_each_place("sheets", [&](std::size_t i, auto, const auto& around, auto& scratch) {
       sheets[i] = find_own_sheet(around, spacing.of_point[i], tolerances, scratch);
     });

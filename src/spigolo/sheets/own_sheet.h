@@ -20,6 +20,8 @@ struct SheetTolerances {
   std::size_t k = 20;      // neighbors a sheet is fitted to; grows with the noise
   std::size_t asked = 16;  // neighbors whose sheets may pass a point
 
+  /// Noise too small to matter: each crease stands for itself.
+  bool exact() const { return noise < 0.03; }
   double smooth() const;    // [spacings] a fit to all neighbors that deviates less is one sheet
   double plane() const;     // [spacings] points this close to a plane may share a sheet with it
   double on_sheet() const;  // [spacings] points this close to a fitted sheet lie on it

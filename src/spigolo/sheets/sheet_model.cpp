@@ -19,7 +19,6 @@ namespace spigolo {
 namespace {
 
 constexpr std::size_t grain = 1024;
-constexpr double exact_noise = 0.03;  // [spacings] with less, each crease stands for itself
 constexpr int plain_rounds = 2;  // neighborhoods of neighborhoods: as far as any later fit looks
 
 }  // namespace
@@ -49,7 +48,7 @@ void judge_all(SheetModel& model, const SheetOptions& options, const Job& job) {
   const PreparedCloud& p = model.prepared;
   model.verdicts = judge_points(p.cloud.points, p.neighborhoods, p.spacing, model.own,
                                 model.tolerances, options, job);
-  if (model.tolerances.noise < exact_noise) {
+  if (model.tolerances.exact()) {
     fill_gaps(p.cloud.points, p.neighborhoods, p.spacing, model.verdicts);
   } else {
     refine_creases(model, options, job);

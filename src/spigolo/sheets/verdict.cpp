@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::size_t grain = 64;
 constexpr double reach = 0.66;          // [spacings] a crease this close passes the point
-constexpr double exact_noise = 0.03;    // [spacings] with less, each crease stands for itself
 constexpr double proposal_reach = 1.3;  // [spacings] with more, one that neighbors may agree with
 constexpr double noisy_reach = 0.5;     // [standard deviations] more, since the point itself is off
 constexpr double corner_reach = 0.9;    // [spacings] of three sheets' common point
@@ -127,7 +126,7 @@ SheetVerdict judge_point(std::span<const Vec3> points, std::span<const Sheet> sh
   const SheetCover cover = cover_neighborhood(points, sheets, members, tolerances);
   if (cover.count == 0) return verdict;
   if (cover.count > 1) {
-    const double limit = tolerances.noise < exact_noise ? reach : proposal_reach;
+    const double limit = tolerances.exact() ? reach : proposal_reach;
     const RoofTest test(points, members, cover.sheet[0]->spacing,
                         least_deviation(options.sensitivity));
     find_edge(test, cover, p, limit, verdict);
@@ -155,7 +154,7 @@ std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
       verdicts[i] = judge_point(points, sheets, members, tolerances, options);
     }
   });
-  if (tolerances.noise >= exact_noise)
+  if (!tolerances.exact())
     verdicts = agree_on_creases(points, neighborhoods, spacing, verdicts,
                                 reach + noisy_reach * tolerances.noise, job);
   clean_verdicts(points, neighborhoods, spacing, verdicts);

@@ -225,7 +225,7 @@ void SheetProbe::note_sides() {
   sheets_.share_above = {};
   for (std::size_t t = 0; t < points_.size(); ++t) {
     if (label_[t] < 0) continue;
-    const auto s = static_cast<std::size_t>(label_[t]);
+    const std::size_t s = static_cast<std::uint8_t>(label_[t]);
     std::uint32_t above = 0;
     bool clear = true;
     for (std::size_t c = 0; c < sheets_.count; ++c) {

@@ -64,7 +64,7 @@ void warn(const OrderedCloud& cloud, Detection& result) {
         " places have all their neighbors on one line; labelled surface");
 }
 
-// What no method can see at this noise: measured on wedges (docs/detection.md).
+// What the sheets cannot see at this noise: measured on wedges (docs/results.md).
 void warn_of_noise(Detection& result) {
   constexpr double noticeable = 0.15, too_much = 0.4;  // [spacings]
   constexpr double hidden_degrees = 150;               // of bend, per spacing of noise

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "common.h"
+#include "on_all_cores.h"
 #include "sections.h"
 #include "truth.h"
 
@@ -74,8 +75,15 @@ std::string share(std::size_t part, const std::array<std::size_t, 3>& of) {
   return whole == 0 ? "-" : number(100 * static_cast<double>(part) / static_cast<double>(whole), 1);
 }
 
-std::vector<std::string> accuracy_row(const Set& set, double noise) {
-  const SynthCloud s = cloud_of(set, Sampling::blue, noise, 31);
+struct Case {
+  Set set;
+  Sampling sampling;
+  double noise;
+};
+
+std::vector<std::string> accuracy_row(const Case& c) {
+  const auto& [set, sampling, noise] = c;
+  const SynthCloud s = cloud_of(set, sampling, noise, 31);
   const Errors errors = errors_of(s, detect(s.cloud.points));
   const double middle = at_share(errors.position, 0.5), sigma = noise * s.spacing / mean_spacing(s);
   return {name_of(set),
@@ -95,9 +103,17 @@ constexpr std::array<double, 6> strength_from = {0, 0.2, 0.4, 0.6, 0.8, 0.9};
 
 struct Bin {
   double marks = 0, tolerant = 0, counted = 0, thin = 0, strength = 0;
-};
 
-void count(const SynthCloud& s, std::array<Bin, 6>& bins) {
+  void add(const Bin& b) {
+    marks += b.marks, tolerant += b.tolerant, counted += b.counted;
+    thin += b.thin, strength += b.strength;
+  }
+};
+using Bins = std::array<Bin, strength_from.size()>;
+
+Bins count(const Case& c) {
+  const SynthCloud s = cloud_of(c.set, c.sampling, c.noise, 31);
+  Bins bins;
   const Features f = detect(s.cloud.points).features;
   const FeatureTruth truth = read_truth(s.cloud, s.spacing, s.lattice);
   const std::vector<std::uint8_t> flags = sharp_flags(f);
@@ -110,6 +126,7 @@ void count(const SynthCloud& s, std::array<Bin, 6>& bins) {
     if (truth.feature[i] == 0 && truth.edge_distance[i] <= 2 * s.spacing) continue;
     bin.counted += 1, bin.tolerant += truth.feature[i];
   }
+  return bins;
 }
 
 std::string percent(double part, double whole) {
@@ -121,11 +138,13 @@ void calibration(Report& report) {
   report.text(
       "The shapes kept apart (pyramid, steps, cylinder-hole, chamfer-box, lens), random and blue "
       "samples, noise 0, .25 and .5, seed 31. Calibrated means: right = mean strength.");
-  std::array<Bin, 6> bins;
+  std::vector<Case> cases;
   for (const char* shape : {"pyramid", "steps", "cylinder-hole", "chamfer-box", "lens"})
     for (const Sampling sampling : {Sampling::random, Sampling::blue})
-      for (const double noise : {0.0, 0.25, 0.5})
-        count(cloud_of({shape, 0, 0}, sampling, noise, 31), bins);
+      for (const double noise : {0.0, 0.25, 0.5}) cases.push_back({{shape, 0, 0}, sampling, noise});
+  Bins bins;
+  for (const Bins& of_one : on_all_cores(cases, count))
+    for (std::size_t b = 0; b < bins.size(); ++b) bins[b].add(of_one[b]);
   std::vector<std::vector<std::string>> rows;
   for (std::size_t b = 0; b < bins.size(); ++b) {
     const double to = b + 1 < bins.size() ? strength_from[b + 1] : 1;
@@ -149,15 +168,15 @@ void creases(Report& report) {
       "95 "
       "% of the error in degrees; convex or concave: percent right, wrong and not known. "
       "`cylinder` with 2200 points has curves of radius 10 spacings. Seed 31.");
-  std::vector<std::vector<std::string>> rows;
+  std::vector<Case> cases;
   for (const Set& set : {Set{"box", 0, 0}, Set{"l-prism", 0, 0}, Set{"steps", 0, 0},
                          Set{"star", 0, 0}, Set{"wedge", 60, 6000}, Set{"wedge", 120, 6000},
                          Set{"wedge", 150, 6000}, Set{"cylinder", 0, 2200},
                          Set{"cylinder-hole", 0, 0}, Set{"lens", 0, 0}, Set{"cylinders", 0, 0}})
-    for (const double noise : {0.0, 0.1, 0.25, 0.5}) rows.push_back(accuracy_row(set, noise));
+    for (const double noise : {0.0, 0.1, 0.25, 0.5}) cases.push_back({set, Sampling::blue, noise});
   report.table({"shape", "noise", "edge points", "position: median", "95 %", "median / sigma",
                 "angle: median [deg]", "95 %", "convexity right %", "wrong %", "not known %"},
-               rows);
+               on_all_cores(cases, accuracy_row));
   calibration(report);
 }
 

@@ -3,6 +3,7 @@
 //
 // bench/hardships.cpp - what scans are like: uneven, in lines, hidden, dirty; thin, fading shapes
 #include "common.h"
+#include "on_all_cores.h"
 #include "sections.h"
 
 namespace spigolo::bench {
@@ -67,36 +68,39 @@ std::vector<Hardship> shapes() {
   return list;
 }
 
+std::vector<std::string> fading_row(const SynthOptions& options) {
+  constexpr double bands[] = {5, 10, 15, 20, 30, 45, 90};
+  const SynthCloud s = make_cloud(options);
+  const auto flags = sharp_flags(detect(s.cloud.points).features);
+  const auto& truth = s.cloud.find("truth_feature")->values;
+  double found[std::size(bands)] = {}, all[std::size(bands)] = {};
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    if (truth[i] == 0) continue;
+    const double bent = degrees(nearest_crease(s.shape, s.exact[i]).deviation);
+    std::size_t b = 0;
+    while (b + 1 < std::size(bands) && bent > bands[b]) ++b;
+    found[b] += flags[i], all[b] += 1;
+  }
+  std::vector<std::string> row = {options.sampling == Sampling::blue ? "blue" : "random",
+                                  number(options.noise, 2)};
+  for (std::size_t b = 0; b < std::size(bands); ++b)
+    row.push_back(number(100 * found[b] / std::max(1.0, all[b])));
+  return row;
+}
+
 void fading(Report& report) {
   report.heading(3, "Edges that fade out");
   report.text(
       "`fade`: an edge from 90 degrees to flat. Percent of the feature points found by how far the "
       "edge is bent there.");
-  std::vector<std::vector<std::string>> rows;
-  constexpr double bands[] = {5, 10, 15, 20, 30, 45, 90};
+  std::vector<SynthOptions> cases;
   for (const Sampling sampling : {Sampling::random, Sampling::blue})
-    for (const double noise : {0.0, 0.1, 0.25}) {
-      const SynthCloud s = make_cloud(
+    for (const double noise : {0.0, 0.1, 0.25})
+      cases.push_back(
           {.shape = "fade", .sampling = sampling, .points = 20000, .noise = noise, .seed = 41});
-      const auto flags = sharp_flags(detect(s.cloud.points).features);
-      const auto& truth = s.cloud.find("truth_feature")->values;
-      double found[std::size(bands)] = {}, all[std::size(bands)] = {};
-      for (std::size_t i = 0; i < flags.size(); ++i) {
-        if (truth[i] == 0) continue;
-        const double bent = degrees(nearest_crease(s.shape, s.exact[i]).deviation);
-        std::size_t b = 0;
-        while (b + 1 < std::size(bands) && bent > bands[b]) ++b;
-        found[b] += flags[i], all[b] += 1;
-      }
-      std::vector<std::string> row = {sampling == Sampling::blue ? "blue" : "random",
-                                      number(noise, 2)};
-      for (std::size_t b = 0; b < std::size(bands); ++b)
-        row.push_back(number(100 * found[b] / std::max(1.0, all[b])));
-      rows.push_back(row);
-    }
   report.table(
       {"samples", "noise", "0 to 5 deg", "to 10", "to 15", "to 20", "to 30", "to 45", "to 90"},
-      rows);
+      on_all_cores(cases, fading_row));
 }
 
 /// How many of the places have a point of this kind within 1.5 h, and how many points of the kind
@@ -118,7 +122,8 @@ std::pair<std::size_t, std::size_t> places(const SynthCloud& s, const Features& 
   return {static_cast<std::size_t>(std::count(found.begin(), found.end(), 1)), stray};
 }
 
-std::vector<std::string> corner_row(const std::string& name, SynthOptions options) {
+std::vector<std::string> corner_row(const Hardship& hardship) {
+  SynthOptions options = hardship.options;
   options.sampling = Sampling::blue, options.points = 10000, options.seed = 41;
   const SynthCloud s = make_cloud(options);
   const Features f = detect(s.cloud.points).features;
@@ -134,7 +139,7 @@ std::vector<std::string> corner_row(const std::string& name, SynthOptions option
         most = std::max<int>(most, f.sheets[i]);
     meet = std::to_string(most) + " of " + std::to_string(s.shape.corners.back().valence);
   }
-  return {name,
+  return {hardship.name,
           number(options.noise, 2),
           std::to_string(found) + " of " + std::to_string(corners.size()),
           std::to_string(stray),
@@ -149,20 +154,20 @@ void corners_and_tips(Report& report) {
       "Corners with a corner point within 1.5 h, corner points farther than 3 h from any corner, "
       "sheets said to meet in the apex of the pyramid (most, of the true number); the same for the "
       "tips of cones.");
-  std::vector<std::vector<std::string>> rows;
+  std::vector<Hardship> cases;
   for (const double noise : {0.0, 0.25}) {
     for (const char* shape : {"box", "l-prism", "steps", "star"})
-      rows.push_back(corner_row(shape, {.shape = shape, .noise = noise}));
+      cases.push_back({shape, {.shape = shape, .noise = noise}});
     for (const std::size_t sides : {3u, 4u, 5u, 6u})
-      rows.push_back(corner_row("pyramid of " + std::to_string(sides) + " sides",
-                                {.shape = "pyramid", .noise = noise, .sides = sides}));
+      cases.push_back({"pyramid of " + std::to_string(sides) + " sides",
+                       {.shape = "pyramid", .noise = noise, .sides = sides}});
     for (const double angle : {30.0, 60.0, 90.0, 120.0, 150.0})
-      rows.push_back(corner_row("spike of " + number(angle) + " deg",
-                                {.shape = "spike", .noise = noise, .angle = radians(angle)}));
+      cases.push_back({"spike of " + number(angle) + " deg",
+                       {.shape = "spike", .noise = noise, .angle = radians(angle)}});
   }
   report.table({"shape", "noise", "corners found", "stray corner points", "sheets at the apex",
                 "tips found", "stray tip points"},
-               rows);
+               on_all_cores(cases, corner_row));
 }
 
 std::vector<std::string> head() {
@@ -186,13 +191,9 @@ void hardships(Report& report) {
       "ten-fold from one end of the shape to the other (noise: `--noise` is the middle). Views: "
       "first hits of scanners at fixed places; edges of which one side was not seen are borders. "
       "The limits of the truth follow the local h. docs/synth.md defines each. Seed 41.");
-  std::vector<std::vector<std::string>> rows;
-  for (const Hardship& hardship : samplings()) rows.push_back(row_of(hardship));
-  report.table(head(), rows);
+  report.table(head(), on_all_cores(samplings(), row_of));
   report.heading(3, "Thin plates, slots, chamfers");
-  rows.clear();
-  for (const Hardship& hardship : shapes()) rows.push_back(row_of(hardship));
-  report.table(head(), rows);
+  report.table(head(), on_all_cores(shapes(), row_of));
   fading(report);
   corners_and_tips(report);
 }

@@ -5,11 +5,14 @@
 // --peers, docs/rivals.md and docs/rivals.json
 //
 // spigolo_bench [--data DIR] [--peers] [--only NAME,...] [--out FILE] [--pictures DIR]
-#include <ctime>
+#include <sys/resource.h>
+
+#include <chrono>
 #include <functional>
 #include <iostream>
 #include <string>
 
+#include "environment.h"
 #include "sections.h"
 #include "spigolo/core/error.h"
 #include "spigolo/io/atomic_file.h"
@@ -102,6 +105,45 @@ bool chosen(const std::string& name, const std::string& only) {
          list.find("," + group + ",") != std::string::npos;
 }
 
+double seconds_of(const timeval& t) {
+  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+}
+
+/// Of all threads and of all programs that have been run, since the start.
+double cpu_seconds() {
+  double sum = 0;
+  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage usage{};
+    getrusage(who, &usage);
+    sum += seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+  }
+  return sum;
+}
+
+double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Runs the chosen sections in their order, then says what each has cost.
+void run_sections(Report& report, const std::vector<Section>& list, const std::string& only) {
+  using spigolo::bench::number;
+  std::vector<std::vector<std::string>> cost;
+  double all_cpu = 0, all_wall = 0;
+  for (const Section& section : list) {
+    if (!chosen(section.name, only)) continue;
+    std::cerr << section.name << std::flush;
+    const double cpu = cpu_seconds(), wall = wall_seconds();
+    section.run(report);
+    const double used = cpu_seconds() - cpu, elapsed = wall_seconds() - wall;
+    std::cerr << ": " << number(used) << " s of CPU\n";
+    cost.push_back({section.name, number(used, 1), number(elapsed, 1)});
+    all_cpu += used, all_wall += elapsed;
+  }
+  cost.push_back({"all", number(all_cpu, 1), number(all_wall, 1)});
+  report.heading(2, "What the sections of this page cost");
+  report.table({"section", "CPU [s]", "wall [s]"}, cost);
+}
+
 /// One page: sections in their order, as Markdown and, beside it, as JSON.
 void write_page(const std::string& title, const std::vector<Section>& list, const std::string& only,
                 const std::filesystem::path& path) {
@@ -110,13 +152,8 @@ void write_page(const std::string& title, const std::vector<Section>& list, cons
   report.text(
       "Made by `./dev bench`; do not edit by hand. docs/benchmarks.md says what is measured and "
       "how.");
-  for (const Section& section : list) {
-    if (!chosen(section.name, only)) continue;
-    std::cerr << section.name << std::flush;
-    const std::clock_t start = std::clock();
-    section.run(report);
-    std::cerr << ": " << (std::clock() - start) / CLOCKS_PER_SEC << " s of CPU\n";
-  }
+  run_sections(report, list, only);
+  spigolo::bench::environment(report);
   const std::filesystem::path json = std::filesystem::path(path).replace_extension(".json");
   std::filesystem::create_directories(path.parent_path());
   for (const auto& [file, text] : {std::pair{path, report.str()}, std::pair{json, report.json()}}) {

@@ -4,6 +4,7 @@
 // bench/noise_map.cpp - one edge of every angle under every noise, beside what anyone could reach
 #include "common.h"
 #include "heat_map.h"
+#include "on_all_cores.h"
 #include "sections.h"
 
 namespace spigolo::bench {
@@ -33,7 +34,12 @@ struct Cell {
   bool warned = false;
 };
 
-Cell measure(double angle, double noise) {
+struct Place {
+  double angle = 0, noise = 0;
+};
+
+Cell measure(const Place& place) {
+  const auto& [angle, noise] = place;
   Cell cell;
   for (const std::uint64_t seed : seeds) {
     SynthOptions options{.shape = "wedge", .sampling = Sampling::blue, .points = 5000};
@@ -92,11 +98,13 @@ HeatMap panel(const std::string& title, const std::vector<Row>& rows, double Cel
 }  // namespace
 
 void noise_map(Report& report, const std::filesystem::path& pictures) {
+  std::vector<Place> places;
+  for (const double noise : noises)
+    for (const double angle : angles) places.push_back({angle, noise});
+  const std::vector<Cell> cells = on_all_cores(places, measure);
   std::vector<Row> rows;
-  for (const double noise : noises) {
-    rows.emplace_back();
-    for (const double angle : angles) rows.back().push_back(measure(angle, noise));
-  }
+  for (auto from = cells.begin(); from != cells.end(); from += std::ssize(angles))
+    rows.emplace_back(from, from + std::ssize(angles));
   report.heading(2, "Angle against noise");
   report.text(
       "Tolerant F1 of `sheets` on `wedge`, blue samples, mean of two seeds (21, 22). Noise is the "

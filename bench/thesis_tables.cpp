@@ -5,6 +5,7 @@
 #include <array>
 
 #include "common.h"
+#include "on_all_cores.h"
 #include "sections.h"
 
 namespace spigolo::bench {
@@ -29,16 +30,16 @@ void table_1(Report& report) {
       "The thesis's sets differ a little in size; its detected number counts its outliers. The "
       "smallest cluster, 0.15, "
       "was chosen on these sets and the wedges below.");
-  std::vector<std::vector<std::string>> rows;
-  for (const Row& row : {Row{"cube", "575 of 580"}, Row{"planes", "257 of 256, 1 outlier"},
-                         Row{"hole", "1398 of 1350, 48 outliers"}}) {
+  const std::vector<Row> sets = {Row{"cube", "575 of 580"}, Row{"planes", "257 of 256, 1 outlier"},
+                                 Row{"hole", "1398 of 1350, 48 outliers"}};
+  const auto row_of = [](const Row& row) -> std::vector<std::string> {
     SynthOptions options;
     options.shape = row.shape;
     const SynthCloud s = make_cloud(options);
     const Scored ours = detect_and_score(s, thesis_method()), sheets = detect_and_score(s);
-    rows.push_back({row.shape, count(s.cloud.size()), row.thesis, found(ours), found(sheets)});
-  }
-  report.table({"set", "points", "thesis", "`gauss-map`", "`sheets`"}, rows);
+    return {row.shape, count(s.cloud.size()), row.thesis, found(ours), found(sheets)};
+  };
+  report.table({"set", "points", "thesis", "`gauss-map`", "`sheets`"}, on_all_cores(sets, row_of));
 }
 
 void table_2(Report& report) {
@@ -60,25 +61,32 @@ void table_2(Report& report) {
       "cluster are the automatic ones, which follow from the noise that the program finds in the "
       "cloud; the truth is not looked at. Their three steps were chosen on this shape with another "
       "seed (77; here 1), the constants of `sheets` were looked at with seed 5.");
-  std::vector<std::vector<std::string>> rows;
-  for (const Row& row : thesis) {
+  const auto row_of = [](const Row& row) -> std::vector<std::string> {
     SynthOptions options;
     options.shape = "hole17k";
     options.noise_percent = row.percent;
     const SynthCloud s = make_cloud(options);
     const Scored ours = detect_and_score(s, thesis_method()), sheets = detect_and_score(s);
-    rows.push_back({number(row.percent, 1), row.thesis_count, row.thesis_max, row.thesis_mean,
-                    count(ours.thin.flagged), number(ours.deviation.max, 2),
-                    number(ours.deviation.mean, 2), number(100 * ours.thin.recall, 1),
-                    number(ours.thin.f1, 3), count(sheets.thin.flagged),
-                    number(sheets.deviation.max, 2), number(sheets.deviation.mean, 2),
-                    number(100 * sheets.thin.recall, 1), number(sheets.thin.f1, 3),
-                    number(ours.detection.noise, 3)});
-  }
+    return {number(row.percent, 1),
+            row.thesis_count,
+            row.thesis_max,
+            row.thesis_mean,
+            count(ours.thin.flagged),
+            number(ours.deviation.max, 2),
+            number(ours.deviation.mean, 2),
+            number(100 * ours.thin.recall, 1),
+            number(ours.thin.f1, 3),
+            count(sheets.thin.flagged),
+            number(sheets.deviation.max, 2),
+            number(sheets.deviation.mean, 2),
+            number(100 * sheets.thin.recall, 1),
+            number(sheets.thin.f1, 3),
+            number(ours.detection.noise, 3)};
+  };
   report.table({"noise %", "thesis: detected", "delta_inf", "delta_avg", "`gauss-map`: detected",
                 "delta_inf", "delta_avg", "recall %", "thin F1", "`sheets`: detected", "delta_inf",
                 "delta_avg", "recall %", "thin F1", "noise found [spacings]"},
-               rows);
+               on_all_cores(thesis, row_of));
 }
 
 void wedges(Report& report) {
@@ -87,8 +95,7 @@ void wedges(Report& report) {
       "Thesis: perfect above 45 degrees, a few overrated points at 45 and below, misses only near "
       "180 "
       "(k tuned by hand to 8 and 10). Here: the defaults.");
-  std::vector<std::vector<std::string>> rows;
-  for (const double angle : {25, 45, 60, 90, 110, 140, 160, 170}) {
+  const auto row_of = [](double angle) {
     SynthOptions options;
     options.shape = "wedge";
     options.angle = radians(angle);
@@ -101,11 +108,11 @@ void wedges(Report& report) {
       row.push_back(found(scored));
       row.push_back(number(180 - sum / static_cast<double>(scored.thin.flagged), 1));
     }
-    rows.push_back(row);
-  }
+    return row;
+  };
   report.table(
       {"angle [deg]", "`gauss-map`", "its mean angle [deg]", "`sheets`", "its mean angle [deg]"},
-      rows);
+      on_all_cores(std::vector<double>{25, 45, 60, 90, 110, 140, 160, 170}, row_of));
 }
 
 void figure_26(Report& report) {
@@ -118,8 +125,7 @@ void figure_26(Report& report) {
     SynthOptions synth;
     synth.shape = shape;
     const SynthCloud s = make_cloud(synth);
-    std::vector<std::vector<std::string>> rows;
-    for (const std::size_t k : {10u, 16u, 20u}) {
+    const auto row_of = [&s](std::size_t k) {
       std::vector<std::string> row = {count(k)};
       for (const DetectMethod method : {DetectMethod::gauss_map_global, DetectMethod::gauss_map})
         for (const double sigma : {0.1, 0.5, 0.8}) {
@@ -131,12 +137,12 @@ void figure_26(Report& report) {
           const Scored scored = detect_and_score(s, options);
           row.push_back(count(scored.thin.hits) + " / " + count(scored.thin.outliers));
         }
-      rows.push_back(row);
-    }
+      return row;
+    };
     report.text(std::string("`") + shape + "`:");
     report.table({"k", "global, sigma 0.1", "global, 0.5", "global, 0.8", "adaptive, 0.1",
                   "adaptive, 0.5", "adaptive, 0.8"},
-                 rows);
+                 on_all_cores(std::vector<std::size_t>{10, 16, 20}, row_of));
   }
 }
 

@@ -43,13 +43,24 @@ void take_best_fits(std::span<const Vec3> points, std::span<const Sheet> sheets,
   }
 }
 
+// [spacings] Points this close to a sheet are on it.
+double on_limit(const SheetTolerances& tolerances) {
+  return std::max(on_floor, wide * tolerances.noise);
+}
+
 }  // namespace
+
+bool explains_all(const Sheet& own, const SheetTolerances& tolerances) {
+  // deviation^2 * (support - freedom) is the sum of all squared heights, so none is larger.
+  const double farthest = own.deviation * std::sqrt(static_cast<double>(own.support));
+  return own.whole && farthest < on_limit(tolerances);
+}
 
 SheetCover cover_neighborhood(std::span<const Vec3> points, std::span<const Sheet> sheets,
                               std::span<const std::uint32_t> members,
                               const SheetTolerances& tolerances) {
   SheetCover cover;
-  const double limit = std::max(on_floor, wide * tolerances.noise);
+  const double limit = on_limit(tolerances);
   const double good = std::max(good_floor, good_fit * tolerances.noise);
   PointSet left;
   for (std::size_t m = 0; m < members.size(); ++m) left.set(m);

@@ -27,6 +27,10 @@ struct SheetCover {
   std::size_t unexplained = 0;  // neighbors on none of them
 };
 
+/// Whether cover_neighborhood needs no look: no point of a whole sheet that fits so well can be
+/// farther from it than the limit. The members must be among the points it was fitted to.
+bool explains_all(const Sheet& own, const SheetTolerances& tolerances);
+
 /// Greedily: the point's own sheet, then of the neighbors' own sheets the one that explains most of
 /// the neighbors left, until all are explained or none explains three more. Sheets fitted badly
 /// explain nothing. members: places in `points` and `sheets`, the point itself first; at most 128.

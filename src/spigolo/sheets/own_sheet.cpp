@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/sheets/whole_fit.h"
 
 namespace spigolo {
 namespace {
@@ -147,7 +148,11 @@ Sheet find_own_sheet(std::span<const Vec3> points, double spacing,
                      const SheetTolerances& tolerances, std::vector<char>& scratch) {
   Sheet whole = fit_sheet(points, {}, spacing, SheetOrder::quadric);
   whole.whole = whole.deviation < tolerances.smooth();
-  if (whole.whole) return whole;
+  return whole.whole ? whole : find_part_sheet(points, spacing, tolerances, scratch);
+}
+
+Sheet find_part_sheet(std::span<const Vec3> points, double spacing,
+                      const SheetTolerances& tolerances, std::vector<char>& scratch) {
   const double tolerance = tolerances.plane() * spacing;
   const Vec3 normal = consensus_plane(points, tolerance);
   if (normal == Vec3{}) return {};
@@ -161,38 +166,37 @@ Sheet find_own_sheet(std::span<const Vec3> points, double spacing,
 std::vector<Sheet> find_own_sheets(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                                    const Spacing& spacing, const SheetTolerances& tolerances,
                                    const Job& job) {
-  std::vector<Sheet> sheets(points.size());
-  const auto for_each_place = [&](const char* stage, auto&& found) {
-    parallel_for(job, stage, points.size(), grain, [&](std::size_t begin, std::size_t end) {
-      std::vector<Vec3> around;
-      std::vector<char> scratch;
-      for (std::size_t i = begin; i < end; ++i) {
-        const auto row = neighborhoods.of(i).first(std::min(tolerances.k, neighborhoods.k));
-        around.assign(1, points[i]);
-        for (const std::uint32_t j : row) around.push_back(points[j]);
-        found(i, row, around, scratch);
-      }
-    });
+  const std::size_t k = std::min(tolerances.k, neighborhoods.k);
+  const auto fit_all = [&](std::vector<Sheet>& fitted, std::size_t begin, std::size_t end) {
+    fit_whole_sheets({points, neighborhoods, spacing, k}, begin, end, &fitted[begin]);
+    for (std::size_t i = begin; i < end; ++i)
+      fitted[i].whole = fitted[i].deviation < tolerances.smooth();
   };
-  if (tolerances.exact()) {
-    for_each_place("sheets", [&](std::size_t i, auto, const auto& around, auto& scratch) {
-      sheets[i] = find_own_sheet(around, spacing.of_point[i], tolerances, scratch);
-    });
-    return sheets;
-  }
-  std::vector<Sheet> whole(points.size());
-  for_each_place("sheets", [&](std::size_t i, auto, const auto& around, auto&) {
-    whole[i] = fit_sheet(around, {}, spacing.of_point[i], SheetOrder::quadric);
-    whole[i].whole = whole[i].deviation < tolerances.smooth();
+  const auto part = [&](std::size_t i, std::vector<Vec3>& around, std::vector<char>& scratch) {
+    around.assign(1, points[i]);
+    for (const std::uint32_t j : neighborhoods.of(i).first(k)) around.push_back(points[j]);
+    return find_part_sheet(around, spacing.of_point[i], tolerances, scratch);
+  };
+  std::vector<Sheet> sheets(points.size());
+  parallel_for(job, "sheets", points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    fit_all(sheets, begin, end);
+    std::vector<Vec3> around;
+    std::vector<char> scratch;
+    for (std::size_t i = begin; tolerances.exact() && i < end; ++i)
+      if (!sheets[i].whole) sheets[i] = part(i, around, scratch);
   });
-  for_each_place("sheets", [&](std::size_t i, auto row, const auto& around, auto& scratch) {
-    if (whole[i].whole) {
-      sheets[i] = whole[i];
-      return;
+  if (tolerances.exact()) return sheets;
+  const std::vector<Sheet> whole = sheets;
+  parallel_for(job, "sheets", points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Vec3> around;
+    std::vector<char> scratch;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (whole[i].whole) continue;
+      const auto row = neighborhoods.of(i).first(k);
+      const Sheet* best = take_from_neighbors(points[i], row, whole, tolerances);
+      sheets[i] = best ? *best : part(i, around, scratch);
+      sheets[i].whole = false;
     }
-    const Sheet* best = take_from_neighbors(points[i], row, whole, tolerances);
-    sheets[i] = best ? *best : find_own_sheet(around, spacing.of_point[i], tolerances, scratch);
-    sheets[i].whole = false;
   });
   return sheets;
 }

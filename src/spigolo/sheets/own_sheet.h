@@ -37,7 +37,11 @@ SheetTolerances sheet_tolerances(double noise, double on_lines = 0);
 Sheet find_own_sheet(std::span<const Vec3> points, double spacing,
                      const SheetTolerances& tolerances, std::vector<char>& scratch);
 
-/// The same for every point, with the first tolerances.k of its neighbors.
+/// The second half of that: the sheet through points[0] where no one quadric fits them all.
+Sheet find_part_sheet(std::span<const Vec3> points, double spacing,
+                      const SheetTolerances& tolerances, std::vector<char>& scratch);
+
+/// find_own_sheet for every point, with the first tolerances.k of its neighbors.
 std::vector<Sheet> find_own_sheets(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                                    const Spacing& spacing, const SheetTolerances& tolerances,
                                    const Job& job = {});

@@ -40,6 +40,33 @@ double widest_gap(std::span<const Vec3> points, std::span<const std::uint32_t> m
   return widest;
 }
 
+// Which eighths of a turn hold a neighbor, bit by bit, decides at a glance for most points: with no
+// two empty ones side by side no gap is wider than 135 degrees.
+constexpr std::array<bool, 256> no_wide_gap = [] {
+  std::array<bool, 256> none{};
+  for (std::size_t taken = 0; taken < none.size(); ++taken) {
+    const std::size_t next = (taken >> 1 | taken << 7) & 255;
+    none[taken] = (taken | next) == 255;
+  }
+  return none;
+}();
+
+// Whether neighbors lie on all sides of points[i], by that glance; false may mean either.
+bool surrounded(std::span<const Vec3> points, std::size_t i, std::span<const std::uint32_t> row,
+                const Sheet& sheet) {
+  // Eighths counted from u to v, by: u < 0, v < 0, |v| > |u|.
+  constexpr std::array<std::uint8_t, 8> eighth = {0, 3, 7, 4, 1, 2, 6, 5};
+  std::size_t taken = 0;
+  for (const std::uint32_t m : row) {
+    const Vec3 d = points[m] - points[i];
+    const double u = dot(d, sheet.u), v = dot(d, sheet.v);
+    const bool steep = std::abs(v) > std::abs(u);
+    taken |= std::size_t{1} << eighth[static_cast<std::size_t>(u < 0) + 2 * (v < 0) + 4 * steep];
+    if (no_wide_gap[taken]) return true;
+  }
+  return false;
+}
+
 double strength_of(double distance, double limit, double deviation) {
   const double near = 1 - 0.5 * distance / limit, clear = std::min(1.0, deviation / radians(40));
   return std::clamp(near * (0.5 + 0.5 * clear), 0.01, 1.0);
@@ -148,8 +175,10 @@ std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
   parallel_for(job, "detect", points.size(), grain, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> members;
     for (std::size_t i = begin; i < end; ++i) {
-      members.assign(1, static_cast<std::uint32_t>(i));
       const auto row = neighborhoods.of(i).first(k);
+      // Most points of most clouds: one sheet for all, and it goes on all around.
+      if (explains_all(sheets[i], tolerances) && surrounded(points, i, row, sheets[i])) continue;
+      members.assign(1, static_cast<std::uint32_t>(i));
       members.insert(members.end(), row.begin(), row.end());
       verdicts[i] = judge_point(points, sheets, members, tolerances, options);
     }

@@ -1,0 +1,129 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// tests/sheets/whole_fit_test.cpp - several points at once give the bits that one at a time gives
+#include "spigolo/sheets/whole_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "spigolo/core/random.h"
+#include "spigolo/index/prepared_cloud.h"
+#include "spigolo/sheets/verdict.h"
+#include "spigolo/synth/synth.h"
+
+namespace spigolo {
+namespace {
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+bool same_bits(const Vec3& a, const Vec3& b) {
+  return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
+}
+
+bool same_bits(const Sheet& s, const Sheet& t) {
+  bool same = same_bits(s.origin, t.origin) && same_bits(s.u, t.u) && same_bits(s.v, t.v) &&
+              same_bits(s.n, t.n) && same_bits(s.spacing, t.spacing) &&
+              same_bits(s.deviation, t.deviation) && s.support == t.support;
+  for (std::size_t c = 0; c < 6; ++c) same = same && same_bits(s.a[c], t.a[c]);
+  return same;
+}
+
+std::vector<Vec3> shape(const std::string& name, Sampling sampling, double noise = 0) {
+  SynthOptions options;
+  options.shape = name;
+  options.sampling = sampling;
+  options.points = sampling == Sampling::lattice ? 0 : 3000;
+  options.noise = noise;
+  options.seed = 5;
+  return make_cloud(options).cloud.points;
+}
+
+void expect_same_as_alone(const std::vector<Vec3>& points, std::size_t k) {
+  const PreparedCloud p = prepare_cloud(points, k);
+  const std::size_t n = p.cloud.size();
+  std::vector<Sheet> at_once(n);
+  const WholeFits fits{p.cloud.points, p.neighborhoods, p.spacing, std::min(k, n - 1)};
+  // Ranges that no number of lanes divides.
+  for (std::size_t begin = 0; begin < n; begin += 61)
+    fit_whole_sheets(fits, begin, std::min(n, begin + 61), &at_once[begin]);
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    std::vector<Vec3> around(1, p.cloud.points[i]);
+    for (const std::uint32_t j : p.neighborhoods.of(i).first(fits.k))
+      around.push_back(p.cloud.points[j]);
+    const Sheet alone = fit_sheet(around, {}, p.spacing.of_point[i], SheetOrder::quadric);
+    different += !same_bits(alone, at_once[i]);
+  }
+  EXPECT_EQ(different, 0u) << "of " << n;
+}
+
+TEST(WholeFit, SmoothAndSharpShapes) {
+  for (const char* name : {"torus", "box", "cylinders", "patch"})
+    expect_same_as_alone(shape(name, Sampling::random), 20);
+  expect_same_as_alone(shape("hole17k", Sampling::lattice), 20);
+}
+
+TEST(WholeFit, NoiseAndManyNeighbors) {
+  for (const std::size_t k : {24u, 40u, 64u, 96u})
+    expect_same_as_alone(shape("box", Sampling::random, 0.3), k);
+}
+
+TEST(WholeFit, FewNeighbors) {
+  for (const std::size_t k : {8u, 9u, 10u}) expect_same_as_alone(shape("box", Sampling::blue), k);
+}
+
+TEST(WholeFit, HugeAndTinyCoordinates) {
+  for (const double scale : {1e-9, 1e12}) {
+    std::vector<Vec3> points = shape("cone", Sampling::random);
+    for (Vec3& p : points) p = p * scale + Vec3{3 * scale, -7 * scale, 1e3 * scale};
+    expect_same_as_alone(points, 20);
+  }
+}
+
+TEST(WholeFit, RowsOfPointsThatLieOnLines) {
+  std::vector<Vec3> points;
+  for (int line = 0; line < 20; ++line)
+    for (int i = 0; i < 60; ++i) points.push_back({i * 0.01, line * 1.0, 0});
+  expect_same_as_alone(points, 20);  // no quadric, no axis: the lanes that are done alone
+}
+
+TEST(WholeFit, PointsThatFillACube) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 1000; ++i)
+    points.push_back({double(i % 10), double(i / 10 % 10), double(i / 100)});
+  expect_same_as_alone(points, 26);  // scatter without a smallest axis
+}
+
+// judge_points spares most points the search for further sheets; no verdict may hang on that.
+TEST(JudgePoints, SameAsJudgedOneByOne) {
+  for (const char* name : {"box", "torus", "patch", "fillet-box", "dome"}) {
+    const PreparedCloud p = prepare_cloud(shape(name, Sampling::random), 20);
+    const std::span<const Vec3> points = p.cloud.points;
+    const SheetTolerances tolerances = sheet_tolerances(0);
+    const std::vector<Sheet> sheets =
+        find_own_sheets(points, p.neighborhoods, p.spacing, tolerances);
+    const auto together = judge_points(points, p.neighborhoods, p.spacing, sheets, tolerances, {});
+    std::vector<SheetVerdict> alone(points.size());
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      std::vector<std::uint32_t> members(1, i);
+      for (const std::uint32_t j : p.neighborhoods.of(i).first(tolerances.asked))
+        members.push_back(j);
+      alone[i] = judge_point(points, sheets, members, tolerances, {});
+    }
+    clean_verdicts(points, p.neighborhoods, p.spacing, alone);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_EQ(alone[i].kind, together[i].kind) << name << " " << i;
+      EXPECT_TRUE(same_bits(alone[i].crease_point, together[i].crease_point)) << name << " " << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace spigolo

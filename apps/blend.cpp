@@ -11,12 +11,12 @@
 #include <utility>
 
 #include "blend_report.h"
+#include "cad_reader.h"
 #include "cad_report.h"
 #include "feature_cloud.h"
 #include "files.h"
 #include "report.h"
 #include "run.h"
-#include "spigolo/cad/cad_file.h"
 #include "spigolo/cad/step_writer.h"
 #include "spigolo/core/error.h"
 #include "spigolo/pipeline/mesh.h"
@@ -238,7 +238,7 @@ void run_blend(const std::vector<std::string>& arguments) {
 
   Run run(c.common);
   run.check_file_size(c.cad);
-  const CadFile cad(c.cad);
+  const CadFile cad = read_cad(c.cad, c.common);
   const NurbsFace face = choose_face(c, cad);
   ReadReport seen;
   const PointCloud cloud = read_points(c.cloud, run, seen);

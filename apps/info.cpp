@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // apps/info.cpp - spigolo info: what a file holds
+#include "cad_reader.h"
 #include "cad_report.h"
 #include "files.h"
 #include "report.h"
 #include "run.h"
-#include "spigolo/cad/cad_file.h"
 #include "spigolo/index/summary.h"
 #include "verbs.h"
 
@@ -25,7 +25,7 @@ const VerbHelp help = {
 void print_cad(const std::string& path, const CommonOptions& common, const CommandLine& line) {
   Run run(common);
   run.check_file_size(path);
-  const CadFile file(path);
+  const CadFile file = read_cad(path, common);
   Json json = cad_json(path, file);
   json["seconds"] = {{"total", run.total_seconds()}};
   save_parameters(common, help, line.parameters());

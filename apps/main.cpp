@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cad_reader.h"
 #include "interrupt.h"
 #include "spigolo/core/error.h"
 #include "suggest.h"
@@ -79,6 +80,8 @@ void dispatch(const Arguments& arguments) {
     std::puts("spigolo " SPIGOLO_VERSION);
   } else if (name == "--help" || name == "-h" || name == "help") {
     std::fputs(general_help().c_str(), stdout);
+  } else if (name == serve_cad_verb) {
+    run_serve_cad({arguments.begin() + 1, arguments.end()});
   } else {
     const auto verb =
         std::find_if(verbs.begin(), verbs.end(), [&](const Verb& v) { return name == v.name; });

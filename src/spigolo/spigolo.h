@@ -6,6 +6,7 @@
 #pragma once
 
 #include "spigolo/cad/cad_file.h"      // faces of STEP and IGES files
+#include "spigolo/cad/cad_guard.h"     // the same, read by a process that may crash
 #include "spigolo/core/error.h"        // what can be thrown
 #include "spigolo/core/features.h"     // the verdict on every point
 #include "spigolo/core/job.h"          // threads, progress, cancelling

@@ -9,6 +9,7 @@
 #include "spigolo/cad/cad_file.h"
 #include "spigolo/cad/nurbs_shapes.h"
 #include "spigolo/cad/step_writer.h"
+#include "spigolo/core/random.h"
 #include "spigolo/io/cloud_file.h"
 
 namespace spigolo::test {
@@ -139,6 +140,34 @@ TEST_F(BlendVerb, linearIsThere) {
   EXPECT_GT(out.json()["borders"][0]["normal_error_deg"]["nurbs"]["mean"].get<double>(), 10);
   expect_failure(2, "linear",
                  {cloud, tube, "--method", "linear", "-o", path("x.ply"), "-o", path("x.step")});
+}
+
+// Whatever the damage, the program ends by itself: with the file's faces, or saying that it is bad.
+TEST_F(BlendVerb, damagedCadFilesNeverCrashTheProgram) {
+  StepContent content;
+  content.faces = {{nurbs_tube({{20.5, 20.5, 33}, ez}, 8, 28), {}}};
+  const std::string iges = iges_text(content);
+  Random random(4);
+  std::size_t refused = 0;
+  for (const bool is_step : {true, false}) {
+    const std::string& good = is_step ? content_of(tube) : iges;
+    std::vector<std::string> damaged;
+    for (std::size_t i = 0; i < 20; i += 3) damaged.push_back(good.substr(0, good.size() * i / 20));
+    for (int i = 0; i < 8; ++i) {
+      damaged.push_back(good);
+      for (int k = 0; k < 10; ++k)
+        damaged.back()[random.below(good.size())] = static_cast<char>(random.below(256));
+    }
+    for (std::size_t i = 0; i < damaged.size(); ++i) {
+      const std::string name = "damaged." + std::string(is_step ? "step" : "igs");
+      const Outcome out = run_program({"info", file(name, damaged[i])});
+      EXPECT_TRUE(out.status == 0 || out.status == 3) << i << ": " << out.err;
+      if (out.status == 0) continue;
+      ++refused;
+      EXPECT_NE(out.err.find(name), std::string::npos) << out.err;
+    }
+  }
+  EXPECT_GT(refused, 14u);
 }
 
 TEST_F(BlendVerb, badInputsEachWithTheirOwnMessage) {

@@ -27,19 +27,12 @@
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <utility>
 
 #include "spigolo/cad/occt-inl.h"
 #include "spigolo/core/error.h"
 
 namespace spigolo {
-
-struct CadFile::Content {
-  std::string format, unit;
-  TopTools_IndexedMapOfShape shapes;  // the faces, in the order of the file
-  std::vector<CadFaceInfo> faces;
-  std::size_t free_curves = 0, free_points = 0;
-  Box bounds;
-};
 
 namespace {
 
@@ -231,42 +224,40 @@ CadFile::CadFile(const std::filesystem::path& path) {
     throw UsageError(path.string() + " is no CAD file: .step, .stp, .iges and .igs are read");
   const bool step = lower_ending(path).starts_with(".st");
   const OcctSession session;
-  auto content = std::make_shared<Content>();
+  TopTools_IndexedMapOfShape shapes;  // the faces, in the order of the file
   try {
     const Loaded loaded = step ? load_step(path) : load_iges(path);
-    content->format = step ? "STEP" : "IGES";
-    content->unit = loaded.unit;
+    summary_.format = step ? "STEP" : "IGES";
+    summary_.unit = loaded.unit;
     if (!loaded.shape.IsNull()) {
-      TopExp::MapShapes(loaded.shape, TopAbs_FACE, content->shapes);
-      content->free_curves = count(loaded.shape, TopAbs_EDGE, TopAbs_FACE);
-      content->free_points = count(loaded.shape, TopAbs_VERTEX, TopAbs_EDGE);
-      content->bounds = box_of(loaded.shape);
+      TopExp::MapShapes(loaded.shape, TopAbs_FACE, shapes);
+      summary_.free_curves = count(loaded.shape, TopAbs_EDGE, TopAbs_FACE);
+      summary_.free_points = count(loaded.shape, TopAbs_VERTEX, TopAbs_EDGE);
+      summary_.bounds = box_of(loaded.shape);
     }
-    for (int i = 1; i <= content->shapes.Extent(); ++i)
-      content->faces.push_back(describe(TopoDS::Face(content->shapes(i))));
+    for (int i = 1; i <= shapes.Extent(); ++i)
+      summary_.faces.push_back(describe(TopoDS::Face(shapes(i))));
   } catch (const Standard_Failure& failure) {
     throw InputError(path.string(), "", "cannot be read: " + message_of(failure));
   }
-  content_ = std::move(content);
+  convert_ = [shapes](std::size_t i) {
+    const OcctSession converting;
+    return convert_face(TopoDS::Face(shapes(static_cast<int>(i) + 1)));
+  };
 }
 
-const std::string& CadFile::format() const { return content_->format; }
-const std::string& CadFile::unit() const { return content_->unit; }
-std::span<const CadFaceInfo> CadFile::faces() const { return content_->faces; }
-std::size_t CadFile::free_curves() const { return content_->free_curves; }
-std::size_t CadFile::free_points() const { return content_->free_points; }
-const Box& CadFile::bounds() const { return content_->bounds; }
+CadFile::CadFile(CadSummary summary, std::function<NurbsFace(std::size_t)> convert)
+    : summary_(std::move(summary)), convert_(std::move(convert)) {}
 
 NurbsFace CadFile::face(std::size_t i) const {
-  if (i >= content_->faces.size())
+  if (i >= summary_.faces.size())
     throw UsageError("there is no face " + std::to_string(i) + "; the file has " +
-                     std::to_string(content_->faces.size()) + ", counted from 0");
-  const CadFaceInfo& info = content_->faces[i];
+                     std::to_string(summary_.faces.size()) + ", counted from 0");
+  const CadFaceInfo& info = summary_.faces[i];
   const double extent = squared_norm(info.bounds.size());
   if (!(info.area > no_area * extent))
     throw NoResultError("face " + std::to_string(i) + " has no area");
-  const OcctSession session;
-  return convert_face(TopoDS::Face(content_->shapes(static_cast<int>(i) + 1)));
+  return convert_(i);
 }
 
 }  // namespace spigolo

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,28 +26,44 @@ struct CadFaceInfo {
   Box bounds;
 };
 
+/// All that is known of a file before one of its faces is asked for.
+struct CadSummary {
+  std::string format;  // "STEP" or "IGES"
+  std::string unit;    // "mm", "inch", ... ; empty if the file does not say
+  std::vector<CadFaceInfo> faces;
+  std::size_t free_curves = 0;  // that bound no face
+  std::size_t free_points = 0;  // that end no curve
+  Box bounds;                   // of everything
+};
+
 /// A STEP or IGES file, read once; coordinates in the units of the file. Copies share what was
 /// read; all functions may be called from any thread.
 class CadFile {
  public:
-  /// Throws InputError if the file is missing, damaged or neither STEP nor IGES; UsageError for an
-  /// ending other than .step .stp .iges .igs. A file without faces is no error.
+  /// Reads it in this process. Throws InputError if the file is missing, damaged or neither STEP
+  /// nor IGES; UsageError for an ending other than .step .stp .iges .igs. A file without faces is
+  /// no error. OpenCASCADE crashes or hangs on some damaged files: read what you do not trust by
+  /// read_cad_file_guarded() of cad_guard.h.
   explicit CadFile(const std::filesystem::path& path);
+  /// Read elsewhere. convert: face i as NURBS data; asked only for faces that have an area, from
+  /// any thread.
+  CadFile(CadSummary summary, std::function<NurbsFace(std::size_t)> convert);
 
-  const std::string& format() const;  // "STEP" or "IGES"
-  const std::string& unit() const;    // "mm", "inch", ... ; empty if the file does not say
-  std::span<const CadFaceInfo> faces() const;
-  std::size_t free_curves() const;  // that bound no face
-  std::size_t free_points() const;  // that end no curve
-  const Box& bounds() const;        // of everything
+  const CadSummary& summary() const { return summary_; }
+  const std::string& format() const { return summary_.format; }
+  const std::string& unit() const { return summary_.unit; }
+  std::span<const CadFaceInfo> faces() const { return summary_.faces; }
+  std::size_t free_curves() const { return summary_.free_curves; }
+  std::size_t free_points() const { return summary_.free_points; }
+  const Box& bounds() const { return summary_.bounds; }
 
   /// Face i as NURBS data, planes, cylinders and so on converted exactly. Throws UsageError if
   /// there is no such face, NoResultError if it has no area or cannot be converted.
   NurbsFace face(std::size_t i) const;
 
  private:
-  struct Content;
-  std::shared_ptr<const Content> content_;
+  CadSummary summary_;
+  std::function<NurbsFace(std::size_t)> convert_;
 };
 
 /// Whether the ending of the name is one of .step .stp .iges .igs.

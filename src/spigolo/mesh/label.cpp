@@ -9,6 +9,7 @@
 
 #include "spigolo/core/parallel.h"
 #include "spigolo/core/parity_sets.h"
+#include "spigolo/mesh/majority.h"
 #include "spigolo/mesh/openness.h"
 
 namespace spigolo {
@@ -17,7 +18,6 @@ namespace {
 constexpr std::size_t grain = 512;
 constexpr std::size_t buckets = 8192;
 constexpr double per_bucket = 1.0 / 512;  // of openness
-constexpr double across_crease = 0.3;     // neighbors more doubtful than that wait for the creases
 constexpr double most_doubt = 1.0;        // neighbors less alike say nothing about each other
 constexpr double longest_neighbor = 2.5;  // [steps]
 
@@ -25,7 +25,6 @@ constexpr double longest_neighbor = 2.5;  // [steps]
 struct Statement {
   std::uint32_t a = no_index, b = no_index;
   std::uint8_t differ = 0;
-  float doubt = 0;
 };
 
 struct Poles {
@@ -45,7 +44,7 @@ class Labeller {
   Labelling run() {
     find_poles();
     for (const Poles& p : poles_)
-      if (p.up != no_index) state({p.up, p.down, 1, 0});
+      if (p.up != no_index) state({p.up, p.down, 1});
     state_neighbors();
     state_facets();
     return read_labels();
@@ -76,7 +75,7 @@ class Labeller {
 
   // Neighbors on one sheet look to the same side with their normals, or to opposite ones.
   void of_neighbors(std::size_t i, std::vector<std::uint32_t>& scratch,
-                    std::vector<Statement>& out) const {
+                    std::vector<Claim>& out) const {
     delaunay_.star(vertex(i), scratch);
     std::vector<std::uint32_t> neighbors;
     for (const std::uint32_t t : scratch)
@@ -93,8 +92,8 @@ class Labeller {
       const double doubt = 1 - std::abs(turn) + std::abs(dot(d, samples_.normal[i])) / length +
                            std::abs(dot(d, samples_.normal[j])) / length;
       if (doubt < most_doubt)
-        out.push_back(
-            {poles_[i].up, turn > 0 ? poles_[j].up : poles_[j].down, 0, static_cast<float>(doubt)});
+        out.push_back({static_cast<std::uint32_t>(i), j, static_cast<std::uint8_t>(turn <= 0),
+                       static_cast<float>(doubt)});
     }
   }
 
@@ -138,60 +137,48 @@ class Labeller {
       const std::uint32_t first = beside(segment, sides.into[0], around);
       const std::uint32_t second = beside(segment, sides.into[1], around);
       for (const std::uint32_t q : sides.shown_by) {
-        state({first, pole_towards(q, sides.into[0]), 0, 0});
-        state({second, pole_towards(q, sides.into[0]), 1, 0});
+        state({first, pole_towards(q, sides.into[0]), 0});
+        state({second, pole_towards(q, sides.into[0]), 1});
       }
     }
   }
 
-  // Each segment says how the sheets beside it lie to each other; of two sheets the majority of all
-  // segments between them decides, and the clearest majorities come first.
-  void vote_across_creases() {
-    struct Vote {
-      std::uint32_t a, b;
-      int sum;
-    };
-    std::vector<Vote> votes;
+  // Each segment says how the sheets beside it lie to each other.
+  void claims_of_segments(std::vector<Claim>& claims) const {
     for (const SegmentSides& sides : sides_.of_segment) {
       if (!sides.known) continue;
-      const std::uint32_t p = pole_towards(sides.shown_by[0], sides.into[0]);
-      const std::uint32_t q = pole_towards(sides.shown_by[1], sides.into[0]);
-      if (p == no_index || q == no_index) continue;
-      const auto [a, a_parity] = sets_.find(p);
-      const auto [b, b_parity] = sets_.find(q);
-      if (a != b) votes.push_back({std::min(a, b), std::max(a, b), a_parity == b_parity ? 1 : -1});
+      const auto [a, b] = sides.shown_by;
+      const bool same = (dot(samples_.normal[a], sides.into[0]) > 0) ==
+                        (dot(samples_.normal[b], sides.into[0]) > 0);
+      claims.push_back({a, b, static_cast<std::uint8_t>(!same), 0});
     }
-    std::sort(votes.begin(), votes.end(), [](const Vote& x, const Vote& y) {
-      return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.sum < y.sum;
-    });
-    std::vector<Vote> sums;
-    for (const Vote& vote : votes)
-      if (!sums.empty() && sums.back().a == vote.a && sums.back().b == vote.b)
-        sums.back().sum += vote.sum;
-      else
-        sums.push_back(vote);
-    std::stable_sort(sums.begin(), sums.end(), [](const Vote& x, const Vote& y) {
-      return std::abs(x.sum) > std::abs(y.sum);
-    });
-    for (const Vote& vote : sums) state({vote.a, vote.b, vote.sum < 0, 0});
   }
 
-  void state_neighbors() {
-    std::vector<std::vector<Statement>> found(samples_.size() / grain + 1);
+  std::vector<Claim> find_claims() const {
+    std::vector<std::vector<Claim>> found(samples_.size() / grain + 1);
     parallel_for(job_, "", samples_.size(), grain, [&](std::size_t begin, std::size_t end) {
       std::vector<std::uint32_t> scratch;
       for (std::size_t i = std::max(begin, samples_.on_creases); i < end; ++i)
         if (delaunay_.has(vertex(i))) of_neighbors(i, scratch, found[begin / grain]);
     });
-    std::vector<Statement> all;
+    std::vector<Claim> all;
     for (const auto& list : found) all.insert(all.end(), list.begin(), list.end());
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Statement& a, const Statement& b) { return a.doubt < b.doubt; });
-    std::size_t next = 0;
-    for (; next < all.size() && all[next].doubt < across_crease; ++next) state(all[next]);
-    vote_across_creases();
+    claims_of_segments(all);
+    return all;
+  }
+
+  // Which way the samples look is settled; then it is stated, along the claims that agree.
+  void state_neighbors() {
+    std::vector<Claim> claims = find_claims();
+    const std::vector<std::uint8_t> sign = settle_by_majority(claims, samples_.size());
+    std::stable_sort(claims.begin(), claims.end(),
+                     [](const Claim& x, const Claim& y) { return x.doubt < y.doubt; });
+    for (const auto& [a, b, differ, doubt] : claims)
+      if ((sign[a] ^ sign[b]) == differ)
+        state({poles_[a].up, poles_[b].up, differ});
+      else
+        ++result_.contradictions;
     state_segments();
-    for (; next < all.size(); ++next) state(all[next]);
   }
 
   // Counting sort by openness: bucket, then tetrahedron.
@@ -216,7 +203,7 @@ class Labeller {
       sorted[--begin[bucket[f]]] = static_cast<std::uint32_t>(f);
     for (std::size_t i = sorted.size(); i-- > 0;) {
       const std::uint32_t f = sorted[i];
-      if (bucket[f] > 0) state({f / 4, tets[f / 4].neighbor[f % 4], 0, 0});
+      if (bucket[f] > 0) state({f / 4, tets[f / 4].neighbor[f % 4], 0});
     }
   }
 

@@ -153,7 +153,7 @@ SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
   result.seconds_samples = since(start);
   const Delaunay delaunay = connect_along_creases(samples, job);
   result.seconds_tetrahedra = since(start) - result.seconds_samples;
-  const CreaseSides sides = find_crease_sides(samples, job);
+  const CreaseSides sides = find_crease_sides(samples, surface, job);
   Labelling labels = label_tetrahedra(delaunay, samples, sides, job);
   refine_labels(delaunay, samples, sides, labels, job);
   result.seconds_label = since(start) - result.seconds_tetrahedra - result.seconds_samples;

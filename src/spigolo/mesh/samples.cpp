@@ -14,14 +14,15 @@
 namespace spigolo {
 namespace {
 
-constexpr double sheet_distance = 0.7;      // [edges] no two vertices of a sheet are closer
-constexpr double crease_distance = 0.62;    // [steps] free of sheet vertices around a crease: keeps
-                                            // the ball over each segment, of radius .5, empty
-constexpr double neighbor_distance = 1.6;   // [edges] neighbors farther away leave a gap
-const double widest_gap = radians(80);      // between the directions of neighbors
-constexpr double candidate_distance = 0.9;  // [edges] from the vertex beside the gap
-constexpr double support_radius = 2.6;      // [spacings] surface points must lie in here ...
-constexpr std::size_t least_support = 5;    // ... at least so many ...
+constexpr double sheet_distance = 0.7;    // [edges] no two vertices of a sheet are closer
+constexpr double crease_distance = 0.62;  // [steps] free of sheet vertices around a crease: keeps
+                                          // the ball over each segment, of radius .5, empty
+constexpr double sparse = 1.6;  // times the spacing: edges are as long as samples are apart
+constexpr double neighbor_distance = 1.6;        // [edges] neighbors farther away leave a gap
+const double widest_gap = radians(80);           // between the directions of neighbors
+constexpr double candidate_distance = 0.9;       // [edges] from the vertex beside the gap
+constexpr double support_radius = 2.6;           // [spacings] surface points must lie in here ...
+constexpr std::size_t least_support = 5;         // ... at least so many ...
 const double widest_support_gap = radians(140);  // ... and all around
 constexpr std::size_t witnesses = 4;             // sheets that are asked where a gap is filled
 constexpr int most_rounds = 16;
@@ -93,22 +94,24 @@ class SheetSampler {
   }
 
  private:
-  double length_at(double curvature) const {
-    if (!(edge_.chord_error > 0) || !(curvature > 0)) return edge_.step;
-    return std::clamp(std::sqrt(8 * edge_.chord_error / curvature), edge_.shortest * edge_.step,
-                      edge_.step);
+  double length_at(const SurfaceFoot& foot) const {
+    if (foot.spacing > sparse * surface_.spacing)
+      return edge_.step * foot.spacing / surface_.spacing;
+    if (!(edge_.chord_error > 0) || !(foot.curvature > 0)) return edge_.step;
+    return std::clamp(std::sqrt(8 * edge_.chord_error / foot.curvature),
+                      edge_.shortest * edge_.step, edge_.step);
   }
 
   void take(const SurfaceFoot& foot, bool between) {
     if (!is_finite(foot.position) || !foot.valid()) return;
-    const double length = length_at(foot.curvature);
+    const double length = length_at(foot);
     if (near_crease(foot.position)) return;
     const auto close = [&](std::uint32_t j, double) {
       const std::size_t v = samples_.on_creases + j;
       return same_sheet(foot.position, foot.normal, samples_.position[v], samples_.normal[v]);
     };
     // a sample is worth more than a point between samples: it may stay on a finer mesh
-    const double r = sheet_distance * (between ? length : std::min(edge_.step, 1.2 * length));
+    const double r = sheet_distance * std::min(edge_.step, between ? length : 1.2 * length);
     if (taken_.any_within(foot.position, r, close)) return;
     taken_.insert(foot.position);
     samples_.position.push_back(foot.position);

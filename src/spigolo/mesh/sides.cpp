@@ -29,16 +29,20 @@ struct Shown {
 
 class SideFinder {
  public:
-  explicit SideFinder(const MeshSamples& samples)
-      : samples_(samples), cells_(samples.step, samples.size() - samples.on_creases) {
+  SideFinder(const MeshSamples& samples, const SurfacePoints& surface)
+      : samples_(samples),
+        surface_(surface),
+        cells_(samples.step, samples.size() - samples.on_creases),
+        feet_(samples.step, surface.points.size()) {
     for (std::size_t v = samples.on_creases; v < samples.size(); ++v)
       cells_.insert(samples.position[v]);
+    for (const SurfaceFoot& foot : surface.points) feet_.insert(foot.position);
   }
 
   SideNormals of_vertex(std::uint32_t v) const {
     SideNormals sides;
-    for (const Shown& s : near(samples_.position[v], {})) {
-      const Vec3& n = samples_.normal[s.vertex];
+    for (const Shown& s : near_feet(samples_.position[v])) {
+      const Vec3& n = surface_.points[s.vertex].normal;
       bool known = false;
       for (std::size_t i = 0; i < sides.count; ++i)
         known |= std::abs(dot(n, sides.normal[i])) > same_side;
@@ -90,6 +94,20 @@ class SideFinder {
     return shown;
   }
 
+  // Surface points whose sheets pass through a place, nearest first.
+  std::vector<Shown> near_feet(const Vec3& p) const {
+    std::vector<Shown> shown;
+    feet_.any_within(p, reach * samples_.step, [&](std::uint32_t i, double squared) {
+      const SurfaceFoot& foot = surface_.points[i];
+      if (foot.valid() &&
+          std::abs(dot(foot.position - p, foot.normal)) <= in_sheet * std::sqrt(squared))
+        shown.push_back({squared, i});
+      return false;
+    });
+    std::sort(shown.begin(), shown.end());
+    return shown;
+  }
+
   // Halves the angles between the two sheets, on either side.
   static void point_into(const Vec3& t, SegmentSides& sides) {
     const Vec3 x = sides.along[0], y = cross(t, x);
@@ -100,13 +118,15 @@ class SideFinder {
   }
 
   const MeshSamples& samples_;
-  PointCells cells_;
+  const SurfacePoints& surface_;
+  PointCells cells_, feet_;
 };
 
 }  // namespace
 
-CreaseSides find_crease_sides(const MeshSamples& samples, const Job& job) {
-  const SideFinder finder(samples);
+CreaseSides find_crease_sides(const MeshSamples& samples, const SurfacePoints& surface,
+                              const Job& job) {
+  const SideFinder finder(samples, surface);
   CreaseSides sides;
   sides.of_vertex.resize(samples.on_creases);
   sides.of_segment.resize(samples.creases.size());

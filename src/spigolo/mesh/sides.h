@@ -34,6 +34,8 @@ struct CreaseSides {
   std::vector<SegmentSides> of_segment;  // per segment
 };
 
-CreaseSides find_crease_sides(const MeshSamples& samples, const Job& job = {});
+/// surface: its points show the sheets, too, those near creases that are no samples.
+CreaseSides find_crease_sides(const MeshSamples& samples, const SurfacePoints& surface,
+                              const Job& job = {});
 
 }  // namespace spigolo

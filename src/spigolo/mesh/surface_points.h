@@ -18,6 +18,7 @@ struct SurfaceFoot {
   Vec3 position;
   Vec3 normal;           // unit, sign arbitrary; zero: there is no surface here
   double curvature = 0;  // [1 / unit] the largest of a normal section
+  double spacing = 0;    // [unit] of the cloud around here; 0: that of the whole cloud
 
   bool valid() const { return squared_norm(normal) > 0; }
 };
@@ -25,6 +26,7 @@ struct SurfaceFoot {
 /// Points of every sheet, in one canonical order.
 struct SurfacePoints {
   std::vector<SurfaceFoot> points;
+  std::vector<Vec3> loose;    // points of the cloud that no sheet was found for
   double spacing = 1;         // of the cloud they come from
   double disagreement = .15;  // [unit] sheets continued to one place that lie farther apart from
                               // their mean are not one surface

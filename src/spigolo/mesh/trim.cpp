@@ -48,18 +48,26 @@ void drop_scraps(std::vector<Triangle>& triangles, std::size_t vertices, std::si
 std::size_t trim_unsupported(std::vector<Triangle>& triangles, const MeshSamples& samples,
                              const Openness& openness, const TrimOptions& options) {
   const std::size_t before = triangles.size();
-  std::vector<char> open(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    open[t] = openness.length(triangles[t]) > longest || openness.tilt(triangles[t]) > steepest;
+  std::vector<char> open(triangles.size()), far(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    far[t] = openness.length(triangles[t]) > longest;
+    open[t] = far[t] || openness.tilt(triangles[t]) > steepest;
+  }
   ParitySets groups = group(triangles, samples.size(), [&](std::size_t t) { return open[t] != 0; });
-  std::vector<Box> box(triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (const std::uint32_t v : triangles[t])
-      if (open[t]) box[groups.find(t).set].add(samples.position[v]);
+  std::vector<Box> box(triangles.size());  // of a group, if it has a long triangle
+  std::vector<char> bridged(triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (!open[t]) continue;
+    const std::uint32_t set = groups.find(t).set;
+    bridged[set] |= far[t];
+    for (const std::uint32_t v : triangles[t]) box[set].add(samples.position[v]);
+  }
   std::vector<char> kept(triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    const std::uint32_t set = groups.find(t).set;
     kept[t] =
-        !open[t] || norm(box[groups.find(t).set].size()) <= options.largest_hole * samples.step;
+        !open[t] || !bridged[set] || norm(box[set].size()) <= options.largest_hole * samples.step;
+  }
   keep(triangles, kept);
   if (triangles.size() < before) drop_scraps(triangles, samples.size(), options.least_piece);
   return before - triangles.size();

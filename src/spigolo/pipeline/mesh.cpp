@@ -106,7 +106,8 @@ SurfacePoints on_sheets(const SharpSurface& surface, MeshedCloud& result, const 
                  for (std::size_t i = begin; i < end; ++i) {
                    if (is_lone(prepared, i)) continue;
                    const Vec3 p = prepared.cloud.points[i] + prepared.cloud.origin;
-                   const SurfaceFoot foot = as_foot(project_sharp(surface, p, probe));
+                   SurfaceFoot foot = as_foot(project_sharp(surface, p, probe));
+                   foot.spacing = prepared.spacing.of_point[i];
                    if (foot.valid() && distance(foot.position, p) <= farthest) out.points[i] = foot;
                  }
                });

@@ -12,20 +12,35 @@
 namespace spigolo {
 namespace {
 
-constexpr double longest = 10;       // [spacings] of a gap that is closed
-constexpr double plain_gap = 4.5;    // [spacings] longer ones are marked as bridged
-constexpr double most_turn = 0.35;   // [rad] between the tangents of the two ends
-constexpr double miss = 0.25;        // [spacings] an end may pass off the other one
-constexpr double miss_slope = 0.05;  // more of it for each spacing of the gap
-constexpr double most_share = 1;     // a gap is no longer than so many times the shorter chain
+constexpr double longest = 10;        // [spacings] of a gap that is closed
+constexpr double plain_gap = 4.5;     // [spacings] longer ones are marked as bridged
+constexpr double most_turn = 0.35;    // [rad] between the tangents of the two ends
+constexpr double miss = 0.25;         // [spacings] an end may pass off the other one
+constexpr double miss_slope = 0.05;   // more of it for each spacing of the gap
+constexpr double exact_longest = 14;  // [spacings] the same where samples do not scatter
+constexpr double exact_turn_slope = 0.05;
+constexpr double exact_miss_slope = 0.04;  // and the ends meet half way
+constexpr double exact_scatter = 0.03;     // [spacings] with less, samples lie on the crease
+constexpr double most_share = 1;  // a gap is no longer than so many times the shorter chain
 
 struct Bridge {
   double length;
   std::size_t a, b;  // ends
 };
 
+// Whether two ends whose places are exact run into one smooth curve half way between them.
+bool meet_half_way(const ChainEnd& a, const ChainEnd& b, double gap) {
+  const Vec3 chord = (b.model.place - a.model.place) / gap;
+  const Vec3 d = b.model.at(gap / 2) - a.model.at(gap / 2);
+  if (norm(d - chord * dot(d, chord)) > miss + exact_miss_slope * gap) return false;
+  return dot(a.model.tangent, chord) > 0 && dot(b.model.tangent, chord) < 0 &&
+         angle_between(a.model.along(gap / 2), -b.model.along(gap / 2)) <
+             most_turn + exact_turn_slope * gap;
+}
+
 // Whether each end, going on as it does, meets the other.
 bool face_each_other(const ChainEnd& a, const ChainEnd& b, double gap, double scatter) {
+  if (scatter < exact_scatter) return meet_half_way(a, b, gap);
   const double limit = miss + 1.5 * scatter + miss_slope * gap;
   const Passing there = passing(a, b.model.place), back = passing(b, a.model.place);
   if (there.u <= 0 || back.u <= 0) return false;
@@ -38,10 +53,11 @@ std::vector<Bridge> find_bridges(std::span<const Chain> chains, std::span<const 
                                  double scatter) {
   std::vector<Vec3> places;
   for (const ChainEnd& end : ends) places.push_back(end.model.place);
-  const PlaceGrid grid(places, longest);
+  const double farthest = scatter < exact_scatter ? exact_longest : longest;
+  const PlaceGrid grid(places, farthest);
   std::vector<Bridge> bridges;
   for (std::size_t a = 0; a < ends.size(); ++a)
-    grid.within(places[a], longest, [&](std::uint32_t b) {
+    grid.within(places[a], farthest, [&](std::uint32_t b) {
       if (b <= a || ends[a].junction != no_junction || ends[b].junction != no_junction) return;
       const double gap = distance(places[a], places[b]);
       const double shorter =

@@ -21,6 +21,7 @@ struct CreaseSample {
   double angle = 0;        // [rad] deviation from flat
   double weight = 1;       // strength times how many neighbors agree
   std::int8_t convex = 0;  // as in Features
+  bool sure = false;       // seen in a section whose sheets fit far better than strays do
 };
 
 /// In a canonical order; positions relative to `origin`, in units of `unit`.

@@ -8,29 +8,17 @@
 #include <cmath>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/trace/known_samples.h"
 #include "spigolo/trace/place_grid.h"
 
 namespace spigolo {
 namespace {
 
-constexpr double known_reach = 0.8;     // [spacings] a place that near to a sample is known
-constexpr double known_cosine = 0.8;    // if the sample runs its way
-constexpr double angle_reach = 2;       // [spacings] round an end that tell its angle
 constexpr double longest_reach = 12;    // [spacings] along a form beyond an end
 constexpr double own_share = 0.6;       // of its own length that a curve reaches beyond it
 constexpr double path_step = 0.5;       // [spacings]
 constexpr double plain_reach = 4.5;     // [spacings] more is marked as bridged
 constexpr std::size_t least_chain = 3;  // places; shorter chains tell no direction
-
-double angle_at(const Vec3& place, const PlaceGrid& grid, std::span<const CreaseSample> samples,
-                double reach) {
-  std::vector<double> angles;
-  grid.within(place, reach, [&](std::uint32_t i) { angles.push_back(samples[i].angle); });
-  if (angles.empty()) return half_pi;
-  const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
-  std::nth_element(angles.begin(), middle, angles.end());
-  return *middle;
-}
 
 // Places half a spacing apart along the form of a draft, beyond one of its ends.
 std::vector<Vec3> path_beyond(const CurveDraft& draft, int side) {
@@ -133,26 +121,13 @@ std::vector<Chain> reach_out(std::span<const CurveDraft> drafts, std::span<const
 std::vector<CreaseSample> march_from_ends(const Survey& survey, std::span<const Chain> chains,
                                           std::span<const CreaseSample> samples, double scatter,
                                           const Job& job) {
-  std::vector<Vec3> places;
-  for (const CreaseSample& s : samples) places.push_back(s.place);
-  const PlaceGrid grid(places, angle_reach);
+  const KnownSamples known(samples);
   std::vector<ChainEnd> ends = find_ends(chains, scatter);
   std::erase_if(ends,
                 [&](const ChainEnd& end) { return chains[end.chain].places.size() < least_chain; });
   std::vector<std::vector<CreaseSample>> found(ends.size());
   parallel_for(job, "trace", ends.size(), 4, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) {
-      const Vec3 from = ends[e].model.place;
-      const auto known = [&](const CreaseSample& s) {
-        bool is_known = false;
-        if (distance(s.place, from) > 2 * known_reach)
-          grid.within(s.place, known_reach, [&](std::uint32_t i) {
-            is_known |= std::abs(dot(samples[i].direction, s.direction)) > known_cosine;
-          });
-        return is_known;
-      };
-      found[e] = march(survey, ends[e], angle_at(from, grid, samples, angle_reach), known);
-    }
+    for (std::size_t e = begin; e < end; ++e) found[e] = march_from(survey, ends[e], known);
   });
   return joined(found);
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spigolo/trace/anchors.h"
 #include "spigolo/trace/local_fit.h"
 #include "spigolo/trace/place_grid.h"
 
@@ -19,6 +20,7 @@ constexpr double station_step = 1;        // [spacings]
 constexpr std::size_t least_members = 3;  // for a local fit
 constexpr double bent_window = 0.8;       // of the radius of curvature that a local fit may span
 constexpr double least_window = 3;        // [spacings] that it spans in any case
+constexpr double sure_reach = 4;          // [spacings] that a sure member speaks for
 constexpr double trust = 1;               // [spacings] a local fit may move the guide
 
 std::size_t segment_at(const Guide& guide, double s) {
@@ -38,6 +40,18 @@ void members_between(const Guide& guide, std::span<const Member> members, double
   take(from, to);
   if (guide.closed && from < 0) take(std::max(to, from + guide.length()), guide.length());
   if (guide.closed && to > guide.length()) take(0, std::min(from, to - guide.length()));
+}
+
+// Members beside ones that are sure have no say.
+void leave_to_sure(std::span<const CreaseSample> samples, std::vector<Member>& members) {
+  std::vector<double> sure;
+  for (const Member& m : members)
+    if (samples[m.sample].sure) sure.push_back(m.arc);
+  std::erase_if(members, [&](const Member& m) {
+    if (samples[m.sample].sure) return false;
+    const auto next = std::lower_bound(sure.begin(), sure.end(), m.arc - sure_reach);
+    return next != sure.end() && *next <= m.arc + sure_reach;
+  });
 }
 
 double median_angle(std::span<const std::uint32_t> near, std::span<const CreaseSample> samples) {
@@ -73,10 +87,14 @@ Guide guide_of(const RawCurve& curve, std::span<const Vec3> junctions) {
   guide.places.insert(guide.places.end(), curve.chain.places.begin(), curve.chain.places.end());
   add_junction(curve.junction[1]);
   if (guide.closed) guide.places.push_back(guide.places.front());
+  measure(guide);
+  return guide;
+}
+
+void measure(Guide& guide) {
   guide.arc.assign(1, 0.0);
   for (std::size_t i = 1; i < guide.places.size(); ++i)
     guide.arc.push_back(guide.arc.back() + distance(guide.places[i], guide.places[i - 1]));
-  return guide;
 }
 
 std::vector<std::vector<Member>> assign_members(std::span<const Guide> guides,
@@ -109,10 +127,12 @@ std::vector<std::vector<Member>> assign_members(std::span<const Guide> guides,
     const double arc = side.arc + dot(samples[i].place - places[best], side.direction);
     members[side.guide].push_back({std::clamp(arc, 0.0, guides[side.guide].length()), i});
   }
-  for (auto& list : members)
+  for (auto& list : members) {
     std::sort(list.begin(), list.end(), [](const Member& a, const Member& b) {
       return a.arc != b.arc ? a.arc < b.arc : a.sample < b.sample;
     });
+    leave_to_sure(samples, list);
+  }
   return members;
 }
 
@@ -121,6 +141,7 @@ std::vector<Station> smooth_along(const Guide& guide, std::span<const Member> me
   const double count =
       std::max(guide.closed ? 6.0 : 2.0, std::round(guide.length() / station_step));
   const double end = guide.closed ? count - 1 : count;
+  const Anchors anchors(guide, members, samples);
   std::vector<Station> stations;
   std::vector<std::uint32_t> near;
   std::vector<Vec3> places;
@@ -129,6 +150,11 @@ std::vector<Station> smooth_along(const Guide& guide, std::span<const Member> me
     Station station{s, guide.at(s), 0};
     members_between(guide, members, s - window, s + window, near);
     station.angle = median_angle(near, samples);
+    if (const auto place = anchors.at(s)) {
+      station.place = *place;
+      stations.push_back(station);
+      continue;
+    }
     places.clear();
     for (const std::uint32_t i : near) places.push_back(samples[i].place);
     if (near.size() >= least_members) {

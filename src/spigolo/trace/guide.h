@@ -25,6 +25,9 @@ struct Guide {
   Vec3 direction(double s) const;  // unit
 };
 
+/// Sets the arc lengths from the places.
+void measure(Guide& guide);
+
 Guide guide_of(const RawCurve& curve, std::span<const Vec3> junctions);
 
 /// A sample of a crease, at its place along the curve.

@@ -21,11 +21,12 @@ constexpr double clear_floor = 0.15, clear_noise = 2;  // [spacings]: nearer poi
 constexpr double gate_floor = 0.3, gate_noise = 3, gate_slope = 0.12;  // of points on a half plane
 constexpr double curved_gain = 1.1;  // a quadric that fits so much better is the sheet
 constexpr int fit_rounds = 5;
-constexpr std::size_t least_points = 6, quadric_points = 14;
+constexpr std::size_t least_points = 6, quadric_points = 14, exact_quadric_points = 9;
 constexpr double nearest_side = 2.4;   // [spacings] a side comes so close to the crease
 constexpr double beyond_share = 0.35;  // of points behind the crease to those in front
 constexpr double worst_fit = 0.04;     // [spacings] residuals of a side that is none
 constexpr double exact_noise = 0.03;   // [spacings] with less, six coefficients are certain
+constexpr double exact_width = 1.6;    // [spacings] of the weights without noise
 constexpr double rounding = 1e-7;      // [spacings]
 
 // A point in the section's axes: along the crease and across it.
@@ -121,22 +122,33 @@ class Section {
   }
 
   // terms: 3 of a plane, 4 for one bent across the crease, 6 of a quadric.
-  static bool solve(Side& side, const std::vector<SectionPoint>& on, int n) {
+  // Without noise nearer points count more, since no sheet is a quadric for long.
+  double weight(const Side& side, const SectionPoint& p) const {
+    if (query_.noise >= exact_noise) return 1;
+    const double v = side.v(p);
+    return std::exp(-(v * v + p.u * p.u) / (2 * exact_width * exact_width));
+  }
+
+  bool solve(Side& side, const std::vector<SectionPoint>& on, int n) const {
     Eigen::Matrix<double, 6, 6> m = Eigen::Matrix<double, 6, 6>::Zero();
     Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
     for (const SectionPoint& p : on) {
       const double v = side.v(p);
       Eigen::Matrix<double, 6, 1> row;
       row << 1, v, p.u, v * v, p.u * v, p.u * p.u;
-      m += row * row.transpose();
-      right += row * side.w(p);
+      const double share = weight(side, p);
+      m += share * row * row.transpose();
+      right += share * row * side.w(p);
     }
     side.c.setZero();
     side.c.head(n) = m.topLeftCorner(n, n).ldlt().solve(right.head(n));
-    double sum = 0;
-    for (const SectionPoint& p : on) sum += side.off(p) * side.off(p);
-    const double freedom = static_cast<double>(on.size()) - n;
-    side.rms = std::sqrt(sum / std::max(1.0, freedom));
+    double sum = 0, total = 0;
+    for (const SectionPoint& p : on) {
+      sum += weight(side, p) * side.off(p) * side.off(p);
+      total += weight(side, p);
+    }
+    const double freedom = std::max(1.0, static_cast<double>(on.size()) - n);
+    side.rms = std::sqrt(sum / total * static_cast<double>(on.size()) / freedom);
     side.support = on.size();
     return side.c.allFinite();
   }
@@ -170,9 +182,11 @@ class Section {
       if (on.size() < least_points) return false;
       Side flat = side, curved = side;
       if (!solve(flat, on, 3)) return false;
-      const bool bent = round > 0 && on.size() >= quadric_points &&
-                        solve(curved, on, query_.noise < exact_noise ? 6 : 4) &&
-                        flat.rms > curved_gain * curved.rms + rounding;
+      const bool bent =
+          round > 0 &&
+          on.size() >= (query_.noise < exact_noise ? exact_quadric_points : quadric_points) &&
+          solve(curved, on, query_.noise < exact_noise ? 6 : 4) &&
+          flat.rms > curved_gain * curved.rms + rounding;
       side = bent ? curved : flat;
       limit = std::max(rounding, 4.5 * median_off(side, on) + rounding);
       if (round == 0) limit = infinity;
@@ -223,6 +237,8 @@ class Section {
     if (fit.angle < least_deviation) return std::nullopt;
     const Vec3 along = cross(normal(a, s), normal(b, t));
     fit.direction = normalized(dot(along, query_.direction) < 0 ? -along : along);
+    fit.rms = std::max(a.rms, b.rms);
+    fit.support = std::min(a.support, b.support);
     return fit;
   }
 

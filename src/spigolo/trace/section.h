@@ -24,6 +24,8 @@ struct SectionFit {
   Vec3 place;        // on both sheets, in the plane through the query's place across its direction
   Vec3 direction;    // unit, along both sheets, the query's way
   double angle = 0;  // [rad] deviation from flat
+  double rms = 0;    // of the points on the worse fitted side
+  std::size_t support = 0;  // points on the side that has fewer
 };
 
 /// How far across the crease the sheets are looked at.

@@ -12,36 +12,11 @@
 namespace spigolo {
 namespace {
 
-constexpr double exact = 1e-6;           // [spacings] residuals below this are none
 constexpr double point_step = 1;         // [spacings] between the points of a curve, at most
 constexpr double point_sagitta = 0.004;  // [spacings] between a round curve and its polyline
 constexpr double spline_step = 0.5;      // [spacings] between the points of a spline
-constexpr double least_sweep = 0.25;     // [rad] of an arc; less tells no radius
 constexpr double end_length = 6;         // [spacings] of a curve that tells how it ends
 constexpr std::size_t least_members = 4;
-constexpr double most_share = 0.8;  // of a curve that follows the form it is taken for
-constexpr double stray = 0.5;       // [spacings] the rest may be off
-
-std::vector<Vec3> member_places(const CurveDraft& draft, std::span<const CreaseSample> samples) {
-  std::vector<Vec3> places;
-  for (const Member& m : draft.members) places.push_back(samples[m.sample].place);
-  return places;
-}
-
-// Whether nearly all stations are within tolerance of a form, and none is far from it: a few may
-// follow samples that saw the wrong sheets.
-template <class Distance>
-bool follows(const CurveDraft& draft, double tolerance, const Distance& distance) {
-  std::vector<double> off;
-  for (const Station& s : draft.stations) off.push_back(distance(s.place));
-  std::sort(off.begin(), off.end());
-  const auto most = static_cast<std::size_t>(most_share * static_cast<double>(off.size() - 1));
-  return off[most] <= tolerance && off.back() <= stray + 2 * tolerance;
-}
-
-double off_line(const LineFit& line, const Vec3& p) {
-  return norm(cross(p - line.place, line.direction));
-}
 
 std::optional<Vec3> corner_at(const CurveDraft& draft, int side, std::span<const Vec3> junctions) {
   const int j = draft.junction[static_cast<std::size_t>(side)];
@@ -205,23 +180,6 @@ void angles_along(const CurveDraft& draft, FeatureCurve& curve) {
 }
 
 }  // namespace
-
-void recognize(CurveDraft& draft, std::span<const CreaseSample> samples,
-               const ShapeTolerances& tolerances) {
-  draft.form = std::monostate{};
-  const std::vector<Vec3> places = member_places(draft, samples);
-  if (places.size() < least_members) return;
-  const LineFit line = fit_line(places, exact);
-  const auto from_line = [&](const Vec3& p) { return off_line(line, p); };
-  if (!draft.guide.closed && follows(draft, tolerances.shape, from_line)) {
-    draft.form = line;
-    return;
-  }
-  const auto circle = fit_circle(places, exact);
-  if (!circle || draft.guide.length() < least_sweep * circle->radius) return;
-  if (follows(draft, tolerances.shape, [&](const Vec3& p) { return circle->distance(p); }))
-    draft.form = *circle;
-}
 
 LocalCurve end_model(const CurveDraft& draft, int side, std::span<const CreaseSample> samples,
                      const ShapeTolerances& tolerances) {

@@ -13,12 +13,14 @@ namespace {
 
 constexpr double step = 1;               // [spacings] of a march or walk
 constexpr int most_steps = 30;           // beyond an end
-constexpr int most_misses = 4;           // in a row
+constexpr int most_misses = 6;           // in a row
 constexpr double along = 2.5;            // [spacings] of crease that one look takes in, each way
 constexpr double noisy_along = 20;       // [noise] more
 constexpr double round_share = 0.7;      // of the radius of curvature that a look goes along
 constexpr double shift = 0.5;            // [spacings] a look may move a place
 constexpr double noisy_shift = 2.5;      // [noise] more
+constexpr double exact_noise = 0.03;     // [spacings] with less, residuals tell right from wrong
+constexpr double sure_fit = 0.003;       // [spacings] rms residual of sheets that are right
 constexpr double turn_cosine = 0.88;     // of the direction seen to the one expected
 constexpr double gap = 1;                // [spacings] without a member that a walk looks into
 constexpr double corner_clear = 0.4;     // [spacings] before a corner the third sheet begins
@@ -36,22 +38,34 @@ std::optional<CreaseSample> confirm(const Survey& survey, const SectionQuery& qu
   if (!seen || dot(seen->direction, query.direction) < turn_cosine) return std::nullopt;
   if (distance(seen->place, query.place) > shift + noisy_shift * survey.noise())
     return std::nullopt;
-  return CreaseSample{seen->place, seen->direction, seen->angle, 1, 0};
+  const bool sure = survey.noise() < exact_noise && seen->rms < sure_fit;
+  return CreaseSample{seen->place, seen->direction, seen->angle, 1, 0, sure};
 }
 
-double angle_near(std::span<const Member> members, std::span<const CreaseSample> samples,
-                  double arc) {
-  const auto at = std::lower_bound(members.begin(), members.end(), arc,
-                                   [](const Member& m, double s) { return m.arc < s; });
-  const auto index = at - members.begin(), last = static_cast<std::ptrdiff_t>(members.size()) - 1;
+// The few members next to a place along a guide.
+std::span<const Member> members_next_to(std::span<const Member> members, double arc) {
+  constexpr std::size_t each_way = 3;
+  const auto at = static_cast<std::size_t>(
+      std::lower_bound(members.begin(), members.end(), arc,
+                       [](const Member& m, double s) { return m.arc < s; }) -
+      members.begin());
+  const std::size_t first = at > each_way ? at - each_way : 0;
+  return members.subspan(first, std::min(members.size(), at + each_way + 1) - first);
+}
+
+double angle_of(std::span<const Member> near, std::span<const CreaseSample> samples) {
   std::vector<double> angles;
-  for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, index - 3); i <= std::min(last, index + 3);
-       ++i)
-    angles.push_back(samples[members[static_cast<std::size_t>(i)].sample].angle);
+  for (const Member& m : near) angles.push_back(samples[m.sample].angle);
   if (angles.empty()) return half_pi;
   const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
   std::nth_element(angles.begin(), middle, angles.end());
   return *middle;
+}
+
+std::int8_t convexity_of(std::span<const Member> near, std::span<const CreaseSample> samples) {
+  int votes = 0;
+  for (const Member& m : near) votes += samples[m.sample].convex;
+  return static_cast<std::int8_t>(votes > 0 ? 1 : votes < 0 ? -1 : 0);
 }
 
 // [spacings] along a crease that bends so.
@@ -99,7 +113,8 @@ std::vector<CreaseSample> march(const Survey& survey, const ChainEnd& end, doubl
                                 const std::function<bool(const CreaseSample&)>& known) {
   std::vector<CreaseSample> found;
   LocalCurve model = end.model;
-  const int patience = survey.noise() < 0.03 ? most_misses : 2;
+  const bool exact = survey.noise() < exact_noise;
+  const int patience = exact ? most_misses : 2;
   std::vector<Vec3> recent = {model.at(-4), model.at(-3), model.at(-2), model.at(-1), model.place};
   double u = 0;
   int misses = 0;
@@ -133,18 +148,17 @@ std::vector<CreaseSample> walk(const Survey& survey, const Guide& guide,
     const double s = length * k / count;
     if (!options.everywhere && has_member(members, s - gap, s + gap)) continue;
     const LocalCurve course = course_at(guide, s, reach);
-    SectionQuery query{course.place,
-                       course.tangent,
-                       course.bend,
-                       angle_near(members, samples, s),
-                       survey.noise(),
-                       0,
-                       0};
+    const auto near = members_next_to(members, s);
+    SectionQuery query{
+        course.place, course.tangent, course.bend, angle_of(near, samples), survey.noise(), 0, 0};
     query.behind = query.ahead = reach_along(survey, course.bend);
     if (options.corner[0]) query.behind = std::min(query.behind, std::max(0.0, s - margin));
     if (options.corner[1]) query.ahead = std::min(query.ahead, std::max(0.0, length - s - margin));
     if (query.behind + query.ahead < 1) continue;
-    if (const auto seen = confirm(survey, query)) found.push_back(*seen);
+    auto seen = confirm(survey, query);
+    if (!seen) continue;
+    seen->convex = convexity_of(near, samples);
+    found.push_back(*seen);
   }
   return found;
 }

@@ -13,6 +13,7 @@
 #include "spigolo/trace/chain_end.h"
 #include "spigolo/trace/crease_samples.h"
 #include "spigolo/trace/extend.h"
+#include "spigolo/trace/go_on.h"
 #include "spigolo/trace/junctions.h"
 #include "spigolo/trace/place_grid.h"
 #include "spigolo/trace/shape_curve.h"
@@ -24,7 +25,9 @@ constexpr double member_reach = 1;      // [spacings] samples this close belong 
 constexpr double border_scatter = 0.3;  // [spacings] border samples lie off the border that far
 constexpr int corner_rounds = 3;
 constexpr double exact_scatter = 0.03;  // [spacings] with less, samples lie on the crease
-constexpr int noisy_rounds = 2;
+constexpr double sure_reach = 1.5;      // [spacings] round a place seen for sure
+constexpr double sure_cosine = 0.9;     // of directions along one crease
+constexpr int exact_rounds = 2, noisy_rounds = 2;
 
 struct Layer {
   CurveKind kind = CurveKind::edge;
@@ -62,6 +65,27 @@ void follow_samples(std::vector<CurveDraft>& drafts, const Layer& layer, const J
           smooth_along(drafts[c].guide, drafts[c].members, layer.samples, layer.tolerances.window);
     }
   });
+}
+
+// The samples and what was seen; within reach of a place seen for sure, only what is sure.
+std::vector<CreaseSample> prefer_sure(std::span<const CreaseSample> samples,
+                                      std::span<const CreaseSample> seen) {
+  std::vector<CreaseSample> kept;
+  std::vector<Vec3> places;
+  for (const CreaseSample& s : seen)
+    if (s.sure) kept.push_back(s), places.push_back(s.place);
+  const PlaceGrid grid(places, sure_reach);
+  const auto add_unsure = [&](const CreaseSample& s) {
+    bool spoken_for = false;
+    grid.within(s.place, sure_reach, [&](std::uint32_t i) {
+      spoken_for |= std::abs(dot(kept[i].direction, s.direction)) > sure_cosine;
+    });
+    if (!spoken_for) kept.push_back(s);
+  };
+  for (const CreaseSample& s : samples) add_unsure(s);
+  for (const CreaseSample& s : seen)
+    if (!s.sure) add_unsure(s);
+  return kept;
 }
 
 // The guides take the course of their stations, and the corners that of the curves.
@@ -161,13 +185,12 @@ void trace_edges(Layer layer, const Survey& survey, std::span<const Vec3> hints,
   RawNetwork raw = join_chains(std::move(chains), hints, layer.scatter);
   std::vector<CurveDraft> drafts = drafts_of(raw);
   follow_samples(drafts, layer, job);
-  if (layer.scatter < exact_scatter) {
-    extend(walk_along(survey, drafts, layer.samples, false, job));
-    follow_samples(drafts, layer, job);
-  }
-  for (int round = 0; round < noisy_rounds && layer.scatter >= exact_scatter; ++round) {
+  const bool exact = layer.scatter < exact_scatter;
+  for (int round = 0; round < (exact ? exact_rounds : noisy_rounds); ++round) {
     std::vector<CreaseSample> seen = walk_along(survey, drafts, layer.samples, true, job);
-    if (round == 0)
+    if (exact)
+      layer.samples = prefer_sure(layer.samples, seen);
+    else if (round == 0)
       extend(std::move(seen));
     else
       layer.samples = std::move(seen);
@@ -177,6 +200,7 @@ void trace_edges(Layer layer, const Survey& survey, std::span<const Vec3> hints,
     guide_by_stations(drafts, raw.junctions);
     follow_samples(drafts, layer, job);
   }
+  if (exact) extend(go_on(survey, drafts, layer.samples, job));
   recognize_all(drafts, layer, job);
   raw = join_chains(reach_out(drafts, raw.junctions, layer.scatter), joined(hints, raw.junctions),
                     layer.scatter);

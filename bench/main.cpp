@@ -86,6 +86,7 @@ std::vector<Section> sections(const Arguments& a) {
            [=](Report& r) { a.data.empty() ? no_data(r) : real_clouds(r, a.data, a.pictures); }},
           {"chapter5", [=](Report& r) { chapter5(r, a.data, shipped); }},
           {"lines", [=](Report& r) { feature_lines(r, a.data); }},
+          {"determinism", determinism},
           {"speed", [=](Report& r) { speed(r, a.data); }},
           {"peers", name_rivals}};
 }

@@ -28,6 +28,8 @@ void chapter4(Report& report, const std::filesystem::path& data);     // data ma
 void local_lines(Report& report, const std::filesystem::path& data);  // tables 3 and 4
 void chapter4_pictures(Report& report, const std::filesystem::path& pictures);
 void speed(Report& report, const std::filesystem::path& data);  // data may be empty
+/// Bytes for several numbers of threads; labels of moved clouds.
+void determinism(Report& report);
 /// Files of the folder `data` (see docs/benchmarks.md); pictures go to `pictures`.
 void real_clouds(Report& report, const std::filesystem::path& data,
                  const std::filesystem::path& pictures);

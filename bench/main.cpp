@@ -95,6 +95,7 @@ std::vector<Section> rival_sections(const Arguments& a) {
   using namespace spigolo::bench;
   return {{"peers", [](Report& r) { rivals_versions(r, {}); }},
           {"peers-detect", [=](Report& r) { rivals_detect(r, {}, a.data); }},
+          {"peers-published", rivals_published},
           {"peers-smooth", [](Report& r) { rivals_smooth(r, {}); }},
           {"peers-mesh", [](Report& r) { rivals_mesh(r, {}); }}};
 }

@@ -37,6 +37,7 @@ void real_clouds(Report& report, const std::filesystem::path& data,
 void rivals_versions(Report& report, const RivalPlaces& places);
 /// data: folder with abc/clean and abc/noisy; may be empty.
 void rivals_detect(Report& report, const RivalPlaces& places, const std::filesystem::path& data);
+void rivals_published(Report& report);
 void rivals_smooth(Report& report, const RivalPlaces& places);
 void rivals_mesh(Report& report, const RivalPlaces& places);
 

@@ -109,7 +109,7 @@ TEST(JudgePoints, SameAsJudgedOneByOne) {
     const SheetTolerances tolerances = sheet_tolerances(0);
     const std::vector<Sheet> sheets =
         find_own_sheets(points, p.neighborhoods, p.spacing, tolerances);
-    const auto together = judge_points(points, p.neighborhoods, p.spacing, sheets, tolerances, {});
+    const auto together = judge_points(points, p.neighborhoods, sheets, tolerances, {});
     std::vector<SheetVerdict> alone(points.size());
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       std::vector<std::uint32_t> members(1, i);
@@ -117,7 +117,6 @@ TEST(JudgePoints, SameAsJudgedOneByOne) {
         members.push_back(j);
       alone[i] = judge_point(points, sheets, members, tolerances, {});
     }
-    clean_verdicts(points, p.neighborhoods, p.spacing, alone);
     for (std::size_t i = 0; i < points.size(); ++i) {
       EXPECT_EQ(alone[i].kind, together[i].kind) << name << " " << i;
       EXPECT_TRUE(same_bits(alone[i].crease_point, together[i].crease_point)) << name << " " << i;

@@ -8,16 +8,18 @@
 #include <cmath>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/sheets/passing.h"
 
 namespace spigolo {
 namespace {
 
 constexpr std::size_t grain = 256;
-constexpr std::size_t asked = 40;       // neighbors
-constexpr double longest = 3;           // [spacings] a crease is straight so far
-constexpr double spread = 0.8;          // [spacings] creases this close may be one
-constexpr std::size_t least_votes = 5;  // of them, to be believed
-constexpr double parallel = 0.85;       // cosine of directions that agree
+constexpr std::size_t asked = 40;  // neighbors
+constexpr double longest = 3;      // [spacings] a crease is straight so far
+constexpr double spread = 0.8;     // [spacings] creases this close may be one
+constexpr double parallel = 0.85;  // cosine of directions that agree
+constexpr double near = 0.6;       // [spacings] a crease this close passes a place
+constexpr double probable = 0.27;  // so likely, it is said to
 
 struct Vote {
   Vec3 foot;  // point of the neighbor's crease beside the asking point
@@ -38,7 +40,7 @@ std::vector<Vote> largest_group(const std::vector<Vote>& votes, double spacing) 
   return best;
 }
 
-SheetVerdict mean_of(const std::vector<Vote>& votes, const Vec3& p, double spacing, double reach) {
+SheetVerdict mean_of(const std::vector<Vote>& votes) {
   const double n = static_cast<double>(votes.size());
   SheetVerdict verdict;
   verdict.kind = PointKind::edge;
@@ -56,13 +58,12 @@ SheetVerdict mean_of(const std::vector<Vote>& votes, const Vec3& p, double spaci
   verdict.direction = normalized(verdict.direction);
   for (Vec3& into : verdict.into) into = normalized(into);
   verdict.sheets = 2;
-  const double away = distance(p, verdict.crease_point) / spacing;
-  return away <= reach ? verdict : SheetVerdict{};
+  return verdict;
 }
 
 SheetVerdict ask(std::span<const Vec3> points, std::span<const std::uint32_t> neighbors,
                  std::span<const SheetVerdict> proposals, std::uint32_t i, double spacing,
-                 double reach) {
+                 double noise, std::size_t least_votes) {
   const SheetVerdict& own = proposals[i];
   if (own.kind == PointKind::corner || own.kind == PointKind::border) return own;
   std::vector<Vote> votes;
@@ -78,7 +79,9 @@ SheetVerdict ask(std::span<const Vec3> points, std::span<const std::uint32_t> ne
   if (votes.size() < least_votes) return {};
   const std::vector<Vote> group = largest_group(votes, spacing);
   if (group.size() < least_votes) return {};
-  return mean_of(group, points[i], spacing, reach);
+  const SheetVerdict mean = mean_of(group);
+  return passing_probability(mean, points[i], spacing, near, noise) < probable ? SheetVerdict{}
+                                                                               : mean;
 }
 
 }  // namespace
@@ -86,13 +89,13 @@ SheetVerdict ask(std::span<const Vec3> points, std::span<const std::uint32_t> ne
 std::vector<SheetVerdict> agree_on_creases(std::span<const Vec3> points,
                                            const Neighborhoods& neighborhoods,
                                            const Spacing& spacing,
-                                           std::span<const SheetVerdict> proposals, double reach,
-                                           const Job& job) {
+                                           std::span<const SheetVerdict> proposals, double noise,
+                                           std::size_t least_votes, const Job& job) {
   std::vector<SheetVerdict> agreed(points.size());
   parallel_for(job, "", points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       agreed[i] = ask(points, neighborhoods.of(i), proposals, static_cast<std::uint32_t>(i),
-                      spacing.of_point[i], reach);
+                      spacing.of_point[i], noise, least_votes);
   });
   return agreed;
 }

@@ -15,8 +15,8 @@ namespace spigolo {
 namespace {
 
 constexpr std::size_t grain = 32;
-constexpr double reach = 0.66;        // [spacings] a crease this close passes the point
-constexpr double noisy_reach = 0.5;   // [standard deviations] more, since the point itself is off
+constexpr double reach = 2.5;       // [spacings] a crease this close is a proposal
+constexpr double one_sheet = 1.25;  // [standard deviations] a single sheet that fits so well is all
 constexpr double corner_reach = 0.9;  // [spacings]
 constexpr std::size_t asked = 8;      // neighbors that make a point a candidate
 
@@ -38,14 +38,14 @@ std::vector<std::uint32_t> candidates(const SheetModel& model) {
   return found;
 }
 
-SheetVerdict verdict_by(const CreasePlace& place, const Vec3& p, double spacing, double limit) {
+SheetVerdict verdict_by(const CreasePlace& place, const Vec3& p, double spacing) {
   SheetVerdict verdict;
   const double away = distance(place.crease.point, p) / spacing;
   if (place.corner && distance(*place.corner, p) < corner_reach * spacing) {
     verdict.kind = PointKind::corner;
     verdict.crease_point = *place.corner;
     verdict.sheets = 3;
-  } else if (away <= limit) {
+  } else if (away <= reach) {
     verdict.kind = PointKind::edge;
     verdict.crease_point = place.crease.point;
     verdict.direction = place.crease.direction;
@@ -55,7 +55,7 @@ SheetVerdict verdict_by(const CreasePlace& place, const Vec3& p, double spacing,
     return verdict;
   }
   verdict.deviation = place.deviation;
-  verdict.strength = std::clamp(1 - 0.5 * away / limit, 0.01, 1.0);
+  verdict.strength = std::clamp(1 - 0.5 * away / reach, 0.01, 1.0);
   return verdict;
 }
 
@@ -71,10 +71,11 @@ void refine_creases(SheetModel& model, const SheetOptions& options, const Job& j
     for (std::size_t c = begin; c < end; ++c) {
       const std::uint32_t i = near[c];
       const Vec3& p = model.points()[i];
-      const auto place = find_nearest_crease(probe.look(p), p);
+      const LocalSheets& sheets = probe.look(p);
+      if (sheets.count == 1 && sheets.sheet[0].deviation < one_sheet * noise) continue;
+      const auto place = find_nearest_crease(sheets, p);
       if (place && place->deviation >= least_deviation(options.sensitivity))
-        refined[c] =
-            verdict_by(*place, p, model.prepared.spacing.of_point[i], reach + noisy_reach * noise);
+        refined[c] = verdict_by(*place, p, model.prepared.spacing.of_point[i]);
       if (refined[c].kind == PointKind::surface) refined[c] = model.verdicts[i];
     }
   });

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/sheets/agree.h"
 #include "spigolo/sheets/convexity.h"
 #include "spigolo/sheets/gaps.h"
 #include "spigolo/sheets/local_noise.h"
@@ -19,6 +20,9 @@ namespace spigolo {
 namespace {
 
 constexpr std::size_t grain = 1024;
+// Proposals of one crease that are believed: of the first look, then of the wider fits that every
+// point near one was given. Chance creases on curved places have fewer.
+constexpr std::size_t first_votes = 5, last_votes = 8;
 constexpr int plain_rounds = 2;  // neighborhoods of neighborhoods: as far as any later fit looks
 
 }  // namespace
@@ -46,14 +50,21 @@ namespace {
 // Own sheets and first verdicts of all points, as if this were the noise everywhere.
 void judge_all(SheetModel& model, const SheetOptions& options, const Job& job) {
   const PreparedCloud& p = model.prepared;
-  model.verdicts = judge_points(p.cloud.points, p.neighborhoods, p.spacing, model.own,
-                                model.tolerances, options, job);
-  if (model.tolerances.exact()) {
-    fill_gaps(p.cloud.points, p.neighborhoods, p.spacing, model.verdicts);
-  } else {
+  const std::span<const Vec3> points = p.cloud.points;
+  const double noise = model.tolerances.noise;
+  const bool exact = model.tolerances.exact();
+  model.verdicts = judge_points(points, p.neighborhoods, model.own, model.tolerances, options, job);
+  const auto agree = [&](std::size_t votes) {
+    model.verdicts =
+        agree_on_creases(points, p.neighborhoods, p.spacing, model.verdicts, noise, votes, job);
+  };
+  if (!exact) {
+    agree(first_votes);
     refine_creases(model, options, job);
-    clean_verdicts(p.cloud.points, p.neighborhoods, p.spacing, model.verdicts);
+    agree(last_votes);
   }
+  clean_verdicts(points, p.neighborhoods, p.spacing, exact ? 0 : noise, model.verdicts);
+  if (exact) fill_gaps(points, p.neighborhoods, p.spacing, model.verdicts);
 }
 
 void find_sheets(SheetModel& model, double noise, const Job& job) {

@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "spigolo/core/parallel.h"
-#include "spigolo/sheets/agree.h"
 #include "spigolo/sheets/roof.h"
 
 namespace spigolo {
@@ -17,12 +16,12 @@ namespace {
 constexpr std::size_t grain = 64;
 constexpr double reach = 0.66;          // [spacings] a crease this close passes the point
 constexpr double proposal_reach = 1.3;  // [spacings] with more, one that neighbors may agree with
-constexpr double noisy_reach = 0.5;     // [standard deviations] more, since the point itself is off
 constexpr double corner_reach = 0.9;    // [spacings] of three sheets' common point
 constexpr double common_reach = 0.2;    // [spacings] of a further sheet from their common point
 constexpr double sure_reach = 0.45;     // [spacings] so close nobody overshadows
 constexpr double shadow_length = 0.6, shadow_depth = 0.35;  // [spacings] along and across the edge
-constexpr double border_gap = radians(150);                 // of directions without a neighbor
+constexpr double shadow_loss = 1.5;          // of its length, by noise: who is closer is less sure
+constexpr double border_gap = radians(150);  // of directions without a neighbor
 constexpr std::size_t border_neighbors = 16;
 
 // Largest angle in the tangent plane of the point's sheet in which no neighbor lies.
@@ -126,7 +125,8 @@ bool sharp(const SheetVerdict& v) {
 
 // Another point of the same crease, beside this one and clearly closer to it.
 bool overshadowed(std::span<const Vec3> points, std::span<const std::uint32_t> neighbors,
-                  std::span<const SheetVerdict> verdicts, std::uint32_t i, double spacing) {
+                  std::span<const SheetVerdict> verdicts, std::uint32_t i, double spacing,
+                  double length) {
   const SheetVerdict& mine = verdicts[i];
   const double away = distance(points[i], mine.crease_point) / spacing;
   if (mine.kind != PointKind::edge || away < sure_reach) return false;
@@ -134,7 +134,7 @@ bool overshadowed(std::span<const Vec3> points, std::span<const std::uint32_t> n
     if (!sharp(verdicts[j])) return false;
     const Vec3 d = (points[j] - mine.crease_point) / spacing;
     const double beside = std::abs(dot(d, mine.direction));
-    return beside < shadow_length &&
+    return beside < length &&
            norm(d - mine.direction * dot(d, mine.direction)) < away - shadow_depth;
   });
 }
@@ -166,7 +166,7 @@ SheetVerdict judge_point(std::span<const Vec3> points, std::span<const Sheet> sh
 }
 
 std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
-                                       const Neighborhoods& neighborhoods, const Spacing& spacing,
+                                       const Neighborhoods& neighborhoods,
                                        std::span<const Sheet> sheets,
                                        const SheetTolerances& tolerances,
                                        const SheetOptions& options, const Job& job) {
@@ -183,15 +183,12 @@ std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
       verdicts[i] = judge_point(points, sheets, members, tolerances, options);
     }
   });
-  if (!tolerances.exact())
-    verdicts = agree_on_creases(points, neighborhoods, spacing, verdicts,
-                                reach + noisy_reach * tolerances.noise, job);
-  clean_verdicts(points, neighborhoods, spacing, verdicts);
   return verdicts;
 }
 
 void clean_verdicts(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-                    const Spacing& spacing, std::vector<SheetVerdict>& verdicts) {
+                    const Spacing& spacing, double noise, std::vector<SheetVerdict>& verdicts) {
+  const double length = shadow_length - shadow_loss * noise;
   std::vector<std::uint32_t> wrong;
   for (std::uint32_t i = 0; i < verdicts.size(); ++i) {
     if (verdicts[i].kind == PointKind::surface) continue;
@@ -201,7 +198,7 @@ void clean_verdicts(std::span<const Vec3> points, const Neighborhoods& neighborh
       return sharp(verdicts[i]) ? sharp(verdicts[j]) : verdicts[j].kind == PointKind::border;
     });
     if (like < (sharp(verdicts[i]) ? 1 : 2) ||
-        overshadowed(points, near, verdicts, i, spacing.of_point[i]))
+        overshadowed(points, near, verdicts, i, spacing.of_point[i], length))
       wrong.push_back(i);
   }
   for (const std::uint32_t i : wrong) verdicts[i] = {};

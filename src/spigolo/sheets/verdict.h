@@ -10,6 +10,9 @@
 #include <vector>
 
 #include "spigolo/core/features.h"
+#include "spigolo/core/job.h"
+#include "spigolo/index/neighborhoods.h"
+#include "spigolo/index/spacing.h"
 #include "spigolo/sheets/cover.h"
 #include "spigolo/sheets/crease.h"
 
@@ -42,18 +45,17 @@ SheetVerdict judge_point(std::span<const Vec3> points, std::span<const Sheet> sh
                          const SheetOptions& options);
 
 /// All points, from their own sheets. neighborhoods need max(20, sheet_tolerances(noise).k)
-/// neighbors a row. With noise the neighbors' creases must agree. Edges without another edge or
-/// corner in their neighborhood are dropped, and of two points beside each other on an edge the one
-/// clearly farther from it.
+/// neighbors a row. With noise these are proposals.
 std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
-                                       const Neighborhoods& neighborhoods, const Spacing& spacing,
+                                       const Neighborhoods& neighborhoods,
                                        std::span<const Sheet> sheets,
                                        const SheetTolerances& tolerances,
                                        const SheetOptions& options, const Job& job = {});
 
 /// Drops what the neighbors' verdicts speak against, all from one snapshot: edges and borders that
-/// stand alone, and the farther one of two points beside each other on an edge.
+/// stand alone, and of two points beside each other on an edge the one clearly farther from it;
+/// how close beside each other shrinks with the noise [spacings], down to never.
 void clean_verdicts(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-                    const Spacing& spacing, std::vector<SheetVerdict>& verdicts);
+                    const Spacing& spacing, double noise, std::vector<SheetVerdict>& verdicts);
 
 }  // namespace spigolo

@@ -8,13 +8,18 @@
 #include <cmath>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/sheets/rim.h"
 #include "spigolo/sheets/roof.h"
+#include "spigolo/sheets/sector.h"
 
 namespace spigolo {
 namespace {
 
 constexpr std::size_t grain = 64;
-constexpr double reach = 0.66;          // [spacings] a crease this close passes the point
+constexpr double reach = 0.66;       // [spacings] a crease this close passes the point
+constexpr double carry_reach = 0.9;  // [spacings] or this close, if no other point is closer
+constexpr double carry_beside = 0.8, carry_slack = 0.1;  // [spacings] along and across the edge
+constexpr double far_reach = 2;         // [spacings] of the edge that tells why a sheet ends here
 constexpr double proposal_reach = 1.3;  // [spacings] with more, one that neighbors may agree with
 constexpr double corner_reach = 0.9;    // [spacings] of three sheets' common point
 constexpr double common_reach = 0.2;    // [spacings] of a further sheet from their common point
@@ -23,21 +28,6 @@ constexpr double shadow_length = 0.6, shadow_depth = 0.35;  // [spacings] along 
 constexpr double shadow_loss = 1.5;          // of its length, by noise: who is closer is less sure
 constexpr double border_gap = radians(150);  // of directions without a neighbor
 constexpr std::size_t border_neighbors = 16;
-
-// Largest angle in the tangent plane of the point's sheet in which no neighbor lies.
-double widest_gap(std::span<const Vec3> points, std::span<const std::uint32_t> members,
-                  const Sheet& sheet) {
-  std::array<double, max_cover_points> angles;
-  std::size_t n = 0;
-  for (const std::uint32_t m : members.subspan(1)) {
-    const Vec3 d = points[m] - points[members[0]];
-    angles[n++] = std::atan2(dot(d, sheet.v), dot(d, sheet.u));
-  }
-  std::sort(angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(n));
-  double widest = n == 0 ? 2 * pi : angles[0] + 2 * pi - angles[n - 1];
-  for (std::size_t i = 1; i < n; ++i) widest = std::max(widest, angles[i] - angles[i - 1]);
-  return widest;
-}
 
 // Which eighths of a turn hold a neighbor, bit by bit, decides at a glance for most points: with no
 // two empty ones side by side no gap is wider than 135 degrees.
@@ -93,6 +83,20 @@ void find_edge(const RoofTest& test, const SheetCover& cover, const Vec3& p, dou
                  2};
     }
   }
+}
+
+// No other point of the neighborhood lies beside the point and is closer to its crease.
+bool carries(std::span<const Vec3> points, std::span<const std::uint32_t> members, double spacing,
+             const SheetVerdict& verdict) {
+  const double away = distance(points[members[0]], verdict.crease_point) / spacing;
+  if (away <= reach) return true;
+  if (away > carry_reach) return false;
+  return std::none_of(members.begin() + 1, members.end(), [&](std::uint32_t m) {
+    const Vec3 d = (points[m] - verdict.crease_point) / spacing;
+    const double beside = dot(d, verdict.direction);
+    return std::abs(beside) < carry_beside &&
+           norm(d - verdict.direction * beside) < away - carry_slack;
+  });
 }
 
 std::uint8_t sheets_through(const Vec3& corner, const SheetCover& cover) {
@@ -152,16 +156,23 @@ SheetVerdict judge_point(std::span<const Vec3> points, std::span<const Sheet> sh
   const Vec3& p = points[members[0]];
   const SheetCover cover = cover_neighborhood(points, sheets, members, tolerances);
   if (cover.count == 0) return verdict;
+  const double spacing = cover.sheet[0]->spacing, least = least_deviation(options.sensitivity);
   if (cover.count > 1) {
-    const double limit = tolerances.exact() ? reach : proposal_reach;
-    const RoofTest test(points, members, cover.sheet[0]->spacing,
-                        least_deviation(options.sensitivity));
-    find_edge(test, cover, p, limit, verdict);
+    const double limit = tolerances.exact() ? far_reach : proposal_reach;
+    find_edge(RoofTest(points, members, spacing, least), cover, p, limit, verdict);
+    if (verdict.kind == PointKind::edge && tolerances.exact() &&
+        !carries(points, members, spacing, verdict))
+      return {};
     find_corner_near(cover, p, verdict);
-  } else if (cover.unexplained == 0 && members.size() > border_neighbors &&
-             widest_gap(points, members, *cover.sheet[0]) > border_gap) {
-    verdict = {PointKind::border, 0, 1, p, {}, {}, 1};
+  } else if (cover.unexplained == 0) {
+    if (members.size() > border_neighbors &&
+        widest_sector(points, members, *cover.sheet[0], cover.on[0]).width > border_gap)
+      verdict = {PointKind::border, 0, 1, p, {}, {}, 1};
+    return verdict;
   }
+  if (verdict.kind == PointKind::surface && tolerances.exact())
+    if (const auto rim = find_rim(points, sheets, members, cover, least))
+      verdict = {PointKind::edge, rim->deviation, 1, p, rim->direction, rim->into, 2};
   return verdict;
 }
 

@@ -1,0 +1,80 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Pieces of surface too narrow for samples of their own: their two ends are edges.
+#include <gtest/gtest.h>
+
+#include "spigolo/detect/detect.h"
+#include "spigolo/synth/synth.h"
+
+namespace spigolo {
+namespace {
+
+// Rows of samples along y: `across` steps from `start` in direction `step`, each 21 long.
+void add_rows(std::vector<Vec3>& points, const Vec3& start, const Vec3& step, int across,
+              double shift) {
+  for (int i = 0; i < across; ++i)
+    for (int j = -10; j <= 10; ++j)
+      points.push_back(start + step * i + Vec3{0, j + shift + 0.37 * i, 0});
+}
+
+// Away from the borders: row 0 is marked if `first`, all others are not.
+void expect_first_row_only(const Features& f, const std::vector<Vec3>& points, std::size_t begin,
+                           int across) {
+  for (std::size_t i = begin; i < begin + static_cast<std::size_t>(across) * 21; ++i) {
+    if (std::abs(points[i].y) > 6 || (i - begin) / 21 + 3 > static_cast<std::size_t>(across))
+      continue;
+    const bool first = (i - begin) / 21 == 0;
+    EXPECT_EQ(f.kind[i], first ? PointKind::edge : PointKind::surface)
+        << points[i].x << " " << points[i].y;
+  }
+}
+
+TEST(Narrow, BothEndsOfAStepWithoutSamplesOnItsWallAreEdges) {
+  std::vector<Vec3> points;
+  add_rows(points, {0, 0, 0}, {-1, 0, 0}, 8, 0);
+  add_rows(points, {0.3, 0, 0.85}, {1, 0, 0}, 8, 0.4);
+  const Features f = detect(points).features;
+  expect_first_row_only(f, points, 0, 8);
+  expect_first_row_only(f, points, 168, 8);
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    if (f.kind[i] != PointKind::edge || std::abs(points[i].y) > 6) continue;
+    EXPECT_GT(f.angle[i], radians(30));
+    EXPECT_GT(std::abs(f.direction[i].y), 0.9);
+  }
+}
+
+TEST(Narrow, BothEndsOfAChamferOfTwoRowsAreEdges) {
+  std::vector<Vec3> points;
+  add_rows(points, {0.8, 0, 0}, {1, 0, 0}, 8, 0);
+  add_rows(points, {0, 0, -0.8}, {0, 0, -1}, 8, 0.4);
+  const Features f = detect(points).features;
+  expect_first_row_only(f, points, 0, 8);
+  expect_first_row_only(f, points, 168, 8);
+}
+
+// Where samples are missing by chance the surface goes on; a thin wall's other side is no reason
+// to think it ends.
+TEST(Narrow, ChanceGapsOfAThinWallAreNoEdges) {
+  SynthOptions options{.shape = "plate", .sampling = Sampling::random};
+  options.size = 1.5;
+  options.seed = 15;
+  const SynthCloud s = make_cloud(options);
+  const Features f = detect(s.cloud.points).features;
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < f.size(); ++i)
+    wrong += f.kind[i] == PointKind::edge && edge_distance(s.shape, s.exact[i]) > 4 * s.spacing;
+  EXPECT_LE(wrong * 500, f.size());
+}
+
+// A quarter round bends off its flats steadily: no end anywhere.
+TEST(Narrow, RoundedBoxesHaveNoEnds) {
+  SynthOptions options{.shape = "fillet-box", .sampling = Sampling::random, .points = 10000};
+  options.size = 6;
+  options.seed = 15;
+  const Features f = detect(make_cloud(options).cloud.points).features;
+  EXPECT_LE(f.counts()[1], 4u);
+}
+
+}  // namespace
+}  // namespace spigolo

@@ -170,6 +170,40 @@ void corners_and_tips(Report& report) {
                on_all_cores(cases, corner_row));
 }
 
+std::vector<std::string> border_row(const SynthOptions& options) {
+  const SynthCloud s = make_cloud(options);
+  const Features f = detect(s.cloud.points).features;
+  std::size_t marks = 0, there = 0, found = 0, stray = 0;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const double away = border_distance(s.shape, s.exact[i]) / s.spacing;
+    const bool marked = f.kind[i] == PointKind::border;
+    marks += marked, there += away <= 0.75;
+    found += marked && away <= 0.75, stray += marked && away > 5;
+  }
+  return {
+      options.shape,
+      options.sampling == Sampling::blue ? "blue" : "random",
+      number(options.noise, 2),
+      std::to_string(marks),
+      number(100 * static_cast<double>(found) / std::max<double>(1, static_cast<double>(there))),
+      std::to_string(stray)};
+}
+
+void borders(Report& report) {
+  report.heading(3, "Borders of open surfaces");
+  report.text(
+      "Points marked `border`; percent of the points within .75 h of the true border that are; "
+      "marks farther than 5 h from it (all marks where the surface is closed). 8000 points.");
+  std::vector<SynthOptions> cases;
+  for (const char* shape : {"patch", "wedge", "fillet-box"})
+    for (const Sampling sampling : {Sampling::random, Sampling::blue})
+      for (const double noise : {0.0, 0.25})
+        cases.push_back(
+            {.shape = shape, .sampling = sampling, .points = 8000, .noise = noise, .seed = 41});
+  report.table({"shape", "samples", "noise", "marks", "border points found %", "stray marks"},
+               on_all_cores(cases, border_row));
+}
+
 std::vector<std::string> head() {
   return {"hardship",
           "shape",
@@ -196,6 +230,7 @@ void hardships(Report& report) {
   report.table(head(), on_all_cores(shapes(), row_of));
   fading(report);
   corners_and_tips(report);
+  borders(report);
 }
 
 }  // namespace spigolo::bench

@@ -100,6 +100,47 @@ names check_files.sh apps/main.cpp '356 lines'
 echo 'find_package(CGAL REQUIRED)' >>"$tree/CMakeLists.txt"
 names check_files.sh ./CMakeLists.txt "package 'CGAL'"
 
+# figures of the documents against the results
+sound_documents() {
+  rm -rf "$tree"
+  mkdir -p "$tree/docs" "$tree/scripts"
+  printf '%s\n' '| box | 0.8374 | 1350 | 57939 | 0.74 |' >"$tree/docs/results.md"
+  printf '%s\n' 'F1 is 0.837, of 57 939 points 1350; 84 % and 74 % of the edges. 10 000 points in 2022,' \
+    'seed 1234, figure 127, (3.41), §3.7.5, `k 999`, hole17k, 1600x1200, [x](a/987.md).' '' \
+    '    spigolo detect --k 345' '' '1. An item that goes on' '    with 0.84 in it.' >"$tree/docs/page.md"
+  printf '%s\n' '```' 'took 4.567 s' '```' >"$tree/README.md"
+}
+# unknown LINE NUMBER: a line that names this number, which nobody has measured
+unknown() {
+  sound_documents
+  echo "$1" >>"$tree/docs/page.md"
+  names check_numbers.sh docs/page.md:8 "$2 is not in the results"
+}
+
+sound_documents
+accepts check_numbers.sh
+unknown 'F1 is 0.838.' 0.838
+unknown 'Of 57 938 points.' 57938
+unknown 'It finds 85 % of them.' '85 %'
+unknown '    continued, .123 spacings.' .123
+# with_entry ENTRY: an unknown number and a line of the list of exceptions
+with_entry() {
+  sound_documents
+  echo 'Off by .123 spacings.' >>"$tree/docs/page.md"
+  echo "$1" >"$tree/scripts/numbers.allow"
+}
+with_entry 'page.md .123 a constant'
+accepts check_numbers.sh
+with_entry '* .123 a constant'
+accepts check_numbers.sh
+with_entry 'other.md .123 a constant'
+names check_numbers.sh docs/page.md:8 '.123'
+with_entry '* .123'
+names check_numbers.sh docs/page.md:8 '.123'
+sound_documents
+rm "$tree/docs/results.md"
+names check_numbers.sh docs/results.md missing
+
 if ((failures)); then exit 1; fi
 rm -rf "$tree"
 echo "every fault is named"

@@ -52,6 +52,7 @@ SharpSurface::SharpSurface(SheetModel&& model, const MlsOptions& options, const 
       tree_(model_.prepared.cloud),
       options_(settle_sharp(options, model_.prepared.noise)) {
   note_plain_places(model_, job);
+  separate_places(model_, tree_, {options_.smoothing, options_.k}, job);
 }
 
 SurfacePoint project_sharp(const SharpSurface& surface, const Vec3& query, SheetProbe& probe) {
@@ -64,15 +65,15 @@ SurfacePoint project_sharp(const SharpSurface& surface, const Vec3& query, Sheet
   const LocalSheets* sheets = nullptr;
   for (int look = 0; look < most_looks; ++look) {
     sheets = &probe.look(center);
-    const double away = std::sqrt(probe.neighbors().front().squared_distance);
     result.status = SurfaceStatus::too_far;
-    if (!(away <= surface.options().reach * probe.spacing())) return result;
+    if (!(probe.away() <= surface.options().reach * probe.spacing())) return result;
     foot = find_nearest_foot(*sheets, x);
     result.status = status_of(foot.kind);
     if (foot.kind == FootKind::none) return result;
     const double step = distance(foot.position, center);
     center = foot.position;
     if (step < settled_step * probe.spacing()) break;
+    if (step < probe.slack() * probe.spacing() && probe.place_at(center) == probe.place()) break;
   }
   const Sheet& sheet = sheets->sheet[foot.sheets[0]];
   result.position = center + surface.origin();

@@ -4,6 +4,7 @@
 // spigolo/sheets/local_sheets.cpp
 #include "spigolo/sheets/local_sheets.h"
 
+#include <bit>
 #include <cmath>
 
 namespace spigolo {
@@ -93,11 +94,16 @@ Foot nearest_of_all(const LocalSheets& sheets, const Vec3& query) {
 
 bool LocalSheets::is_surface(std::size_t s, const Vec3& x, std::uint32_t free) const {
   if (count == 1) return true;
-  const std::uint32_t self = 1U << s;
-  const Sides sides = sides_of(*this, x, free | self);
-  const std::uint32_t fixed = ~sides.open & ((1U << count) - 1);
-  for (std::uint32_t pattern = 0; pattern < (1U << count); ++pattern)
-    if ((data_sides[s] >> pattern & 1U) && ((pattern ^ sides.above) & fixed) == 0) return true;
+  const Sides sides = sides_of(*this, x, free | 1U << s);
+  return has_data(s, sides.above, sides.open);
+}
+
+bool LocalSheets::has_data(std::size_t s, std::uint32_t above, std::uint32_t open) const {
+  const std::uint32_t fixed = ~(open | 1U << s) & ((1U << count) - 1);
+  std::uint64_t seen = data_sides[s];
+  if (count < most) seen &= (std::uint64_t{1} << (1U << count)) - 1;
+  for (; seen != 0; seen &= seen - 1)
+    if (((static_cast<std::uint32_t>(std::countr_zero(seen)) ^ above) & fixed) == 0) return true;
   return false;
 }
 

@@ -31,6 +31,8 @@ struct LocalSheets {
   /// Whether x, a place on sheet s, is where the data of s are; sheets named in `free` (a bit each)
   /// do not count.
   bool is_surface(std::size_t s, const Vec3& x, std::uint32_t free = 0) const;
+  /// The same for a place above the sheets of `above` and too close to those of `open` to say.
+  bool has_data(std::size_t s, std::uint32_t above, std::uint32_t open) const;
 };
 
 enum class FootKind : std::uint8_t { sheet = 0, crease = 1, corner = 2, none = 3 };

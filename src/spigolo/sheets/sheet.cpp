@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "spigolo/core/symmetric3.h"
+#include "spigolo/sheets/normal_equations.h"
 
 namespace spigolo {
 namespace {
@@ -17,50 +18,17 @@ constexpr int quadric_freedom = 6, plane_freedom = 3;
 // Curvature that the points do not determine (all on a line or two) is drawn to zero.
 constexpr double curvature_weight = 1e-7;
 
-struct Local {
-  double u, v, w;
-};
-
-Local local(const Sheet& s, const Vec3& p) {
-  const Vec3 d = (p - s.origin) / s.spacing;
-  return {dot(d, s.u), dot(d, s.v), dot(d, s.n)};
-}
-
 struct Gradient {
   double u, v;
 };
 
-Gradient gradient(const Sheet& s, const Local& q) {
+Gradient gradient(const Sheet& s, const FramePlace& q) {
   return {s.a[1] + 2 * s.a[3] * q.u + s.a[4] * q.v, s.a[2] + s.a[4] * q.u + 2 * s.a[5] * q.v};
 }
 
-double offset(const Sheet& s, const Local& q) {
+double offset(const Sheet& s, const FramePlace& q) {
   return q.w -
          (s.a[0] + q.u * (s.a[1] + s.a[3] * q.u + s.a[4] * q.v) + q.v * (s.a[2] + s.a[5] * q.v));
-}
-
-using Matrix6 = std::array<std::array<double, 6>, 6>;
-
-// Cholesky factorization and two substitutions of the first n rows; false where the matrix is not
-// positive.
-bool solve(Matrix6& m, std::array<double, 6>& x, std::size_t n = 6) {
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = m[i][j];
-      for (std::size_t k = 0; k < j; ++k) sum -= m[i][k] * m[j][k];
-      if (i == j && !(sum > 0)) return false;
-      m[i][j] = i == j ? std::sqrt(sum) : sum / m[j][j];
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < i; ++k) x[i] -= m[i][k] * x[k];
-    x[i] /= m[i][i];
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) x[i] -= m[k][i] * x[k];
-    x[i] /= m[i][i];
-  }
-  return true;
 }
 
 template <class Function>
@@ -88,7 +56,7 @@ bool fit_quadric(std::span<const Vec3> points, std::span<const char> use, Sheet&
   Matrix6 m{};
   std::array<double, 6> x{};
   for_each_used(points, use, [&](const Vec3& p) {
-    const auto [u, v, w] = local(s, p);
+    const auto [u, v, w] = in_frame(s, p);
     const std::array<double, 6> row = {1, u, v, u * u, u * v, v * v};
     for (std::size_t i = 0; i < 6; ++i) {
       for (std::size_t j = 0; j <= i; ++j) m[i][j] += row[i] * row[j];
@@ -102,35 +70,6 @@ bool fit_quadric(std::span<const Vec3> points, std::span<const char> use, Sheet&
   s.a = x;
   return true;
 }
-
-// The moments of a weighted height field up to the fourth order, as the normal equations need them.
-struct Moments {
-  std::array<double, 15> uv{};  // 1, u, v, uu, uv, vv, uuu, uuv, uvv, vvv, uuuu .. vvvv
-  std::array<double, 6> w{};    // height by 1, u, v, uu, uv, vv
-
-  void add(double weight, const Local& q) {
-    const double u = q.u, v = q.v, uu = u * u, vv = v * v, cu = weight * u, cv = weight * v;
-    const double cuu = cu * u, cuv = cu * v, cvv = cv * v;
-    const std::array<double, 15> term = {weight,   cu,          cv,       cuu,         cuv,
-                                         cvv,      cuu * u,     cuu * v,  cvv * u,     cvv * v,
-                                         cuu * uu, cuu * u * v, cuu * vv, cvv * v * u, cvv * vv};
-    for (std::size_t i = 0; i < 15; ++i) uv[i] += term[i];
-    for (std::size_t i = 0; i < 6; ++i) w[i] += term[i] * q.w;
-  }
-
-  Matrix6 matrix() const {
-    constexpr std::array<std::array<std::size_t, 6>, 6> place = {{{0, 1, 2, 3, 4, 5},
-                                                                  {1, 3, 4, 6, 7, 8},
-                                                                  {2, 4, 5, 7, 8, 9},
-                                                                  {3, 6, 7, 10, 11, 12},
-                                                                  {4, 7, 8, 11, 12, 13},
-                                                                  {5, 8, 9, 12, 13, 14}}};
-    Matrix6 m;
-    for (std::size_t i = 0; i < 6; ++i)
-      for (std::size_t j = 0; j < 6; ++j) m[i][j] = uv[place[i][j]];
-    return m;
-  }
-};
 
 double weighted_deviation(const Sheet& s, std::span<const Vec3> points,
                           std::span<const double> weights, double total) {
@@ -148,18 +87,18 @@ constexpr double flat_ridge = 1e-12;  // share of the weight: points on a line l
 }  // namespace
 
 double height(const Sheet& sheet, const Vec3& p) {
-  const Local q = local(sheet, p);
+  const FramePlace q = in_frame(sheet, p);
   const Gradient g = gradient(sheet, q);
   return offset(sheet, q) / std::sqrt(1 + g.u * g.u + g.v * g.v);
 }
 
 Vec3 normal_at(const Sheet& sheet, const Vec3& p) {
-  const Gradient g = gradient(sheet, local(sheet, p));
+  const Gradient g = gradient(sheet, in_frame(sheet, p));
   return normalized(sheet.n - sheet.u * g.u - sheet.v * g.v);
 }
 
 std::array<double, 2> curvatures_at(const Sheet& sheet, const Vec3& p) {
-  const Gradient g = gradient(sheet, local(sheet, p));
+  const Gradient g = gradient(sheet, in_frame(sheet, p));
   const double e = 1 + g.u * g.u, f = g.u * g.v, h = 1 + g.v * g.v;  // first fundamental form
   const double area2 = e * h - f * f, length = std::sqrt(area2) * sheet.spacing;
   const double l = 2 * sheet.a[3] / length, m = sheet.a[4] / length, n = 2 * sheet.a[5] / length;
@@ -202,7 +141,7 @@ Sheet fit_weighted_sheet(std::span<const Vec3> points, std::span<const double> w
   double squares = 0;  // of the weights
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!(weights[i] > 0)) continue;
-    moments.add(weights[i], local(s, points[i]));
+    moments.add(weights[i], in_frame(s, points[i]));
     squares += weights[i] * weights[i];
     ++support;
   }

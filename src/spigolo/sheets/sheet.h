@@ -23,6 +23,7 @@ struct Sheet {
   bool whole = false;           // of an own sheet: all the neighbors lie on it
 
   bool fitted() const { return support > 0; }
+  bool is_curved() const { return a[3] != 0 || a[4] != 0 || a[5] != 0; }
 };
 
 /// Signed distance of p to the sheet, to first order, in spacings.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "spigolo/index/kd_tree.h"
 #include "spigolo/index/prepared_cloud.h"
 #include "spigolo/sheets/own_sheet.h"
+#include "spigolo/sheets/sheet_places.h"
 #include "spigolo/sheets/verdict.h"
 
 namespace spigolo {
@@ -24,6 +26,7 @@ struct SheetModel {
   std::vector<Sheet> own;              // the sheet each point lies on
   std::vector<SheetVerdict> verdicts;  // what crease passes each point
   std::vector<char> plain;  // 1: nothing but its own sheet anywhere near; empty: not looked at
+  SheetPlaces places;       // where the sheets are separated; empty: not looked at
 
   std::span<const Vec3> points() const { return prepared.cloud.points; }
   std::size_t size() const { return prepared.cloud.size(); }

@@ -5,20 +5,16 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "spigolo/index/kd_tree.h"
 #include "spigolo/sheets/local_sheets.h"
+#include "spigolo/sheets/separate.h"
 #include "spigolo/sheets/sheet_model.h"
+#include "spigolo/sheets/sheet_region.h"
 
 namespace spigolo {
-
-/// How far a look reaches; both grow with the noise.
-struct ProbeReach {
-  double smoothing = 1.3;  // [spacings] h of the weight exp(-d^2/h^2) around the place
-  std::size_t k = 32;      // points looked at, the nearest ones
-};
 
 ProbeReach probe_reach(double noise);
 
@@ -26,6 +22,8 @@ ProbeReach probe_reach(double noise);
 std::size_t points_for(double smoothing);
 
 /// Keeps its memory between looks: one for each thread. The model and the tree must outlive it.
+/// If the model has places, the sheets were sought there, and a look fits those of the nearest
+/// place: faster, and the same sheets for neighboring queries.
 class SheetProbe {
  public:
   SheetProbe(const SheetModel& model, const KdTree& tree, const ProbeReach& reach);
@@ -34,30 +32,29 @@ class SheetProbe {
   /// Valid until the next look. count is 0 where there is no data to fit anything to.
   const LocalSheets& look(const Vec3& center);
 
-  std::span<const Neighbor> neighbors() const { return found_; }  // of the last look
-  double spacing() const { return spacing_; }                     // at the last place
+  double away() const { return away_; }        // of the last look's center from the nearest point
+  double spacing() const { return spacing_; }  // at the last place
+  /// Place whose sheets the last look used, and the one a look at x would use.
+  std::uint32_t place() const { return place_; }
+  std::uint32_t place_at(const Vec3& x);
+  /// [spacings] the center of a look may be off without changing what it finds.
+  double slack() const { return slack_; }
 
  private:
-  void gather(const Vec3& center, std::size_t k);
-  void fit_single(const Vec3& center, double smoothing);
-  void fit_several(const Vec3& center, double smoothing);
-  void seed();
-  void assign();
-  void fit(const Vec3& center, double smoothing);
-  Sheet fit_labelled(std::size_t s, std::size_t also, const Vec3& center, double smoothing);
-  bool merge(const Vec3& center, double smoothing);
-  void note_sides();
-  bool too_wide() const;
+  void seek(bool plain);
+  const PartedRegion& region_of(std::uint32_t place);
 
   const SheetModel& model_;
   const KdTree& tree_;
-  ProbeReach reach_;
-  LocalSheets sheets_;
-  double spacing_ = 1;
-  std::vector<Neighbor> found_;
-  std::vector<Vec3> points_;
-  std::vector<std::int8_t> label_;  // sheet of each point, -1: none
+  ProbeReach reach_, wide_;  // wide_: at a place
+  SheetSeparator separator_;
+  SheetRegion region_;  // of the last search
+  LocalSheets fitted_;  // of the last look at a known place
+  double spacing_ = 1, away_ = 0, slack_ = 0;
+  std::uint32_t place_ = no_point;
+  std::vector<Neighbor> nearest_;
   std::vector<double> weights_;
+  std::unordered_map<std::uint32_t, PartedRegion> known_;  // the last places, by number
 };
 
 }  // namespace spigolo

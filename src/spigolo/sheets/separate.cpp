@@ -1,0 +1,292 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/sheets/separate.cpp
+#include "spigolo/sheets/separate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spigolo {
+namespace {
+
+constexpr double exact_noise = 0.02;  // [spacings] with less, fits are as exact as the data
+constexpr double on_floor = 0.08, on_growth = 0.02, wide = 1.9;  // of a seed's reach
+constexpr double distrust = 2;  // [spacings] from a sheet: on none of them
+constexpr std::size_t exact_seeds = 5,
+                      most_seeds = 16;  // own sheets that are tried for each further sheet
+constexpr std::size_t least_gain = 2, gain_share = 24;  // points, share of all
+constexpr double plane_gain = 12;
+constexpr double far = 0.6;  // share of the width: a sheet that begins there is a plane
+constexpr int exact_rounds = 2, noisy_rounds = 4;
+constexpr double side_floor = 1e-4, side_noise = 0.3;  // [spacings], [standard deviations]
+constexpr double rare = 0.04;         // share of a noisy sheet's points that strayed over a crease
+constexpr double merge_noise = 1.15;  // [standard deviations]
+constexpr double merge_cosine = 0.8, merge_ratio = 20;  // of normals; of an F-test on the residuals
+constexpr double most_cost = 9;                         // [variances] of a point on no sheet
+constexpr std::size_t fewest = 40;                   // points that are looked at by a narrowed look
+constexpr double poor_fit = 1.5, poor_floor = 0.05;  // [standard deviations], [spacings]
+constexpr double exact_ridge = 1e-5, noisy_ridge = 1e-2;
+
+}  // namespace
+
+double fit_ridge(double noise) { return noise < exact_noise ? exact_ridge : noisy_ridge; }
+
+SheetSeparator::SheetSeparator(const SheetModel& model, double noise)
+    : model_(model), unit_(std::max({exact_noise, model.tolerances.noise, noise})) {}
+
+void SheetSeparator::take_one(SheetRegion& region) {
+  r_ = &region;
+  r_->sheets.count = 1;
+  r_->sheets.data_sides.fill(0);
+  r_->label.assign(r_->points.size(), 0);
+  const std::uint32_t nearest = r_->found.front().index;
+  r_->sheets.sheet[0] = model_.own[nearest];
+  fit();
+}
+
+void SheetSeparator::separate(SheetRegion& region) {
+  r_ = &region;
+  seed();
+  settle(model_.tolerances.noise < exact_noise ? exact_rounds : noisy_rounds);
+}
+
+void SheetSeparator::start_from(const LocalSheets& sheets, SheetRegion& region, int rounds) {
+  r_ = &region;
+  r_->sheets = sheets;
+  r_->label.resize(r_->points.size());
+  settle(rounds);
+}
+
+bool halve(SheetRegion& region) {
+  const std::size_t k = region.points.size() / 2;
+  if (k < fewest) return false;
+  region.found.resize(k), region.points.resize(k);
+  region.smoothing /= std::sqrt(2.0);
+  return true;
+}
+
+bool SheetSeparator::fits_badly(const LocalSheets& sheets) const {
+  const double limit = poor_fit * unit_ + poor_floor;
+  for (std::size_t s = 0; s < sheets.count; ++s)
+    if (sheets.sheet[s].deviation > limit) return true;
+  return false;
+}
+
+void SheetSeparator::label(SheetRegion& region) {
+  r_ = &region;
+  r_->label.resize(r_->points.size());
+  assign();
+}
+
+void SheetSeparator::settle(int rounds) {
+  for (int round = 0; round < rounds; ++round) {
+    assign();
+    fit();
+    if (model_.tolerances.noise >= exact_noise)
+      while (r_->sheets.count > 1 && merge()) fit();
+    if (r_->sheets.count < 2) break;
+    note_sides();
+  }
+}
+
+// Greedily from the points' own sheets: the nearest point's one first, then whichever explains most
+// of what is left. A quadric fitted to fewer points is trusted less the farther it reaches.
+void SheetSeparator::seed() {
+  const double limit = std::max(on_floor, wide * model_.tolerances.noise);
+  const std::size_t seeds = model_.tolerances.noise < exact_noise ? exact_seeds : most_seeds;
+  r_->label.assign(r_->points.size(), -1);
+  r_->sheets.count = 0;
+  r_->sheets.tolerance = std::max(side_floor, side_noise * model_.tolerances.noise);
+  r_->sheets.data_sides.fill(~std::uint64_t{0});
+  const std::size_t stride = std::max<std::size_t>(1, r_->points.size() / 96);
+  const double known = std::sqrt(static_cast<double>(model_.tolerances.k) / pi);
+  // From 1 where the sheet passes a point to 0 where it passes it by.
+  const auto explains = [&](const Sheet& sheet, std::size_t t) {
+    const double beyond =
+        std::max(0.0, distance(r_->points[t], sheet.origin) / r_->spacing - known);
+    const double off = height(sheet, r_->points[t]) / (limit + on_growth * beyond * beyond);
+    return std::max(0.0, 1 - off * off);
+  };
+  while (r_->sheets.count < LocalSheets::most) {
+    std::size_t left = 0;
+    for (std::size_t t = 0; t < r_->points.size(); ++t) left += r_->label[t] < 0;
+    const std::size_t step = std::max<std::size_t>(1, left / seeds);
+    double best_gain = 0;
+    std::size_t seen = 0;
+    const Sheet* best = nullptr;
+    for (std::size_t t = 0; t < r_->points.size(); ++t) {
+      if (r_->label[t] >= 0 || seen++ % step != 0) continue;
+      const Sheet& sheet = model_.own[r_->found[t].index];
+      if (!sheet.fitted()) continue;
+      double gain = 0;
+      for (std::size_t o = 0; o < r_->points.size(); o += stride)
+        if (r_->label[o] < 0) gain += explains(sheet, o);
+      if (gain > best_gain) best_gain = gain, best = &sheet;
+    }
+    const double asked = static_cast<double>(std::max(least_gain, r_->points.size() / gain_share));
+    if (!best || best_gain * static_cast<double>(stride) < asked) break;
+    for (std::size_t t = 0; t < r_->points.size(); ++t)
+      if (r_->label[t] < 0 && explains(*best, t) > 0)
+        r_->label[t] = static_cast<std::int8_t>(r_->sheets.count);
+    r_->sheets.sheet[r_->sheets.count++] = *best;
+  }
+}
+
+void SheetSeparator::assign() {
+  for (std::size_t t = 0; t < r_->points.size(); ++t)
+    r_->label[t] = static_cast<std::int8_t>(membership(r_->points[t]).sheet);
+}
+
+// The sheet whose valid part is nearest. Where several valid sheets pass, the nearest of them is
+// near by chance; so the odds are those of a mixture of them.
+SheetSeparator::Membership SheetSeparator::membership(const Vec3& p) const {
+  const LocalSheets& sheets = r_->sheets;
+  Membership best{-1, distrust * distrust, 0};
+  std::array<double, LocalSheets::most> h{};
+  std::uint32_t above = 0, open = 0;
+  for (std::size_t s = 0; s < sheets.count; ++s) {
+    h[s] = height(sheets.sheet[s], p);
+    if (h[s] > 0) above |= 1U << s;
+    if (std::abs(h[s]) <= sheets.tolerance) open |= 1U << s;
+  }
+  const double variance = unit_ * unit_;
+  double likelihood = 0, valid = 0;
+  for (std::size_t s = 0; s < sheets.count; ++s) {
+    double cost = h[s] * h[s];
+    if (cost >= std::max(best.cost, most_cost * variance)) continue;
+    if (sheets.count > 1 && !sheets.has_data(s, above, open)) {
+      double over = 0;
+      for (std::size_t c = 0; c < sheets.count; ++c)
+        if (c != s) over = std::max(over, h[c] * h[c]);
+      cost += over;
+    } else if (cost < most_cost * variance) {
+      likelihood += std::exp(-0.5 * cost / variance), valid += 1;
+    }
+    if (cost < best.cost) best.sheet = static_cast<int>(s), best.cost = cost;
+  }
+  best.badness = best.cost / variance;
+  if (valid > 1) best.badness = -2 * std::log(likelihood / valid);
+  return best;
+}
+
+double SheetSeparator::score(SheetRegion& region, std::size_t stride) {
+  r_ = &region;
+  double sum = 0;
+  for (std::size_t t = 0; t < r_->points.size(); t += stride)
+    sum += std::min(most_cost, membership(r_->points[t]).badness);
+  const auto n = static_cast<double>(r_->points.size());
+  int coefficients = 0;
+  for (std::size_t s = 0; s < r_->sheets.count; ++s)
+    coefficients += r_->sheets.sheet[s].is_curved() ? 6 : 3;
+  return static_cast<double>(stride) * sum + coefficients * std::log(n);
+}
+
+// One quadric to the points labelled s (or also with one of them s), the nearer to the r_->center
+// the weightier.
+Sheet SheetSeparator::fit_labelled(std::size_t s, std::size_t also) {
+  const bool exact = model_.tolerances.noise < exact_noise;
+  const auto on = [&](std::size_t t) {
+    return r_->label[t] == static_cast<int>(s) || r_->label[t] == static_cast<int>(also);
+  };
+  weights_.resize(r_->points.size());
+  double nearest = infinity;
+  for (std::size_t t = 0; t < r_->points.size(); ++t)
+    if (on(t)) nearest = std::min(nearest, r_->found[t].squared_distance);
+  const double width = r_->smoothing * r_->smoothing * r_->spacing * r_->spacing + nearest;
+  for (std::size_t t = 0; t < r_->points.size(); ++t)
+    weights_[t] =
+        on(t) ? std::exp((nearest - squared_distance(r_->points[t], r_->center)) / width) : 0;
+  return fit_weighted_sheet(r_->points, weights_, r_->center,
+                            normal_at(r_->sheets.sheet[s], r_->center), r_->spacing,
+                            fit_ridge(model_.tolerances.noise),
+                            exact                         ? 0
+                            : nearest > far * far * width ? infinity
+                                                          : plane_gain);
+}
+
+// Joins the first two sheets that one quadric explains as well as two do; noise splits what is one.
+bool SheetSeparator::merge() {
+  for (std::size_t a = 0; a < r_->sheets.count; ++a) {
+    for (std::size_t b = a + 1; b < r_->sheets.count; ++b) {
+      const Sheet& first = r_->sheets.sheet[a];
+      const Sheet& second = r_->sheets.sheet[b];
+      const double cosine =
+          std::abs(dot(normal_at(first, r_->center), normal_at(second, r_->center)));
+      if (cosine < merge_cosine) continue;
+      const double freedom = std::max(1.0, first.support + second.support - 12.0);
+      const double apart = (first.deviation * first.deviation * first.support +
+                            second.deviation * second.deviation * second.support) /
+                           (first.support + second.support);
+      const Sheet joint = fit_labelled(a, b);
+      if (joint.deviation > merge_noise * unit_ &&
+          joint.deviation * joint.deviation > (1 + merge_ratio / freedom) * apart)
+        continue;
+      for (std::int8_t& label : r_->label) {
+        if (label == static_cast<int>(b)) label = static_cast<std::int8_t>(a);
+        if (label > static_cast<int>(b)) --label;
+      }
+      r_->sheets.sheet[a] = joint;
+      for (std::size_t c = b; c + 1 < r_->sheets.count; ++c)
+        r_->sheets.sheet[c] = r_->sheets.sheet[c + 1];
+      --r_->sheets.count;
+      return true;
+    }
+  }
+  return false;
+}
+
+void SheetSeparator::fit() {
+  std::size_t kept = 0;
+  for (std::size_t s = 0; s < r_->sheets.count; ++s) {
+    const Sheet sheet = fit_labelled(s, s);
+    if (!sheet.fitted()) {
+      for (std::int8_t& label : r_->label)
+        if (label == static_cast<int>(s)) label = -1;
+      continue;
+    }
+    for (std::int8_t& label : r_->label)
+      if (label == static_cast<int>(s)) label = static_cast<std::int8_t>(kept);
+    r_->sheets.sheet[kept++] = sheet;
+  }
+  r_->sheets.count = kept;
+}
+
+void SheetSeparator::note_sides() {
+  std::array<std::array<std::uint16_t, 64>, LocalSheets::most> seen{};
+  std::array<std::size_t, LocalSheets::most> total{};
+  std::array<std::array<float, LocalSheets::most>, LocalSheets::most> sided{};
+  r_->sheets.share_above = {};
+  for (std::size_t t = 0; t < r_->points.size(); ++t) {
+    if (r_->label[t] < 0) continue;
+    const std::size_t s = static_cast<std::uint8_t>(r_->label[t]);
+    std::uint32_t above = 0;
+    bool clear = true;
+    for (std::size_t c = 0; c < r_->sheets.count; ++c) {
+      if (c == s) continue;
+      const double h = height(r_->sheets.sheet[c], r_->points[t]);
+      const bool on_side = std::abs(h) > r_->sheets.tolerance;
+      clear &= on_side;
+      if (h > 0) above |= 1U << c;
+      if (!on_side) continue;
+      sided[s][c] += 1;
+      r_->sheets.share_above[s][c] += h > 0 ? 1.0F : 0.0F;
+    }
+    if (!clear) continue;
+    ++seen[s][above];
+    ++total[s];
+  }
+  for (std::size_t s = 0; s < r_->sheets.count; ++s)
+    for (std::size_t c = 0; c < r_->sheets.count; ++c)
+      r_->sheets.share_above[s][c] =
+          sided[s][c] > 0 ? r_->sheets.share_above[s][c] / sided[s][c] : 0.5F;
+  const double share = model_.tolerances.noise < exact_noise ? 0 : rare;
+  for (std::size_t s = 0; s < r_->sheets.count; ++s) {
+    r_->sheets.data_sides[s] = total[s] == 0 ? ~std::uint64_t{0} : 0;
+    for (std::uint32_t pattern = 0; pattern < 64; ++pattern)
+      if (seen[s][pattern] > share * static_cast<double>(total[s]))
+        r_->sheets.data_sides[s] |= std::uint64_t{1} << pattern;
+  }
+}
+
+}  // namespace spigolo

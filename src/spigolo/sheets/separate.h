@@ -1,0 +1,65 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/sheets/separate.h - which sheets pass by a place, and which point lies on which
+#pragma once
+
+#include <vector>
+
+#include "spigolo/sheets/sheet_model.h"
+#include "spigolo/sheets/sheet_region.h"
+
+namespace spigolo {
+
+/// Share of the weight that draws curvature to zero in all fits of that noise [spacings].
+double fit_ridge(double noise);
+
+/// Leaves the nearer half of the points and narrows the weights; false, and nothing is done, where
+/// too few would be left.
+bool halve(SheetRegion& region);
+
+/// Fills label and sheets of a region whose points are known. Keeps its memory between regions: one
+/// for each thread. The model must outlive it.
+class SheetSeparator {
+ public:
+  /// noise: [spacings] of points about their sheet; 0: as the model has it.
+  explicit SheetSeparator(const SheetModel& model, double noise = 0);
+
+  /// Seeks the sheets among the own sheets of the region's points.
+  void separate(SheetRegion& region);
+  /// Starts from sheets that were found elsewhere: each point to the nearest one, fitted again,
+  /// some rounds of it.
+  void start_from(const LocalSheets& sheets, SheetRegion& region, int rounds);
+  /// All points on one sheet.
+  void take_one(SheetRegion& region);
+
+  /// How badly the region's sheets explain its points: squared residuals in standard deviations,
+  /// cut off, and a price for each coefficient. Smaller is better. stride: looks at each stride-th.
+  double score(SheetRegion& region, std::size_t stride = 1);
+  /// With noise: too much for one quadric a sheet.
+  bool fits_badly(const LocalSheets& sheets) const;
+  /// Labels the points by the region's sheets as they are.
+  void label(SheetRegion& region);
+
+ private:
+  void seed();
+  void settle(int rounds);
+  void assign();
+  struct Membership {
+    int sheet = -1;      // whose valid part is nearest
+    double cost = 0;     // [squared spacings]
+    double badness = 0;  // -2 log of the odds, [variances] if there is one sheet
+  };
+  Membership membership(const Vec3& p) const;
+  void fit();
+  Sheet fit_labelled(std::size_t s, std::size_t also);
+  bool merge();
+  void note_sides();
+
+  const SheetModel& model_;
+  double unit_;  // [spacings] standard deviation of a point that lies on a sheet
+  SheetRegion* r_ = nullptr;
+  std::vector<double> weights_;
+};
+
+}  // namespace spigolo

@@ -1,0 +1,190 @@
+// Copyright 2026 The spigolo authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// spigolo/sheets/sheet_places.cpp
+#include "spigolo/sheets/sheet_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "spigolo/core/parallel.h"
+#include "spigolo/sheets/separate.h"
+#include "spigolo/sheets/sheet_model.h"
+
+namespace spigolo {
+namespace {
+
+constexpr std::size_t grain = 16;
+// [spacings] size of a place, small against the reach of a look.
+constexpr double least_size = 1.4, size_per_smoothing = 0.25;
+constexpr int sweeps = 2;              // neighbors' sheets reach so many places farther
+constexpr std::size_t most_tried = 2;  // neighbors' sheets that are fitted
+constexpr std::size_t glance = 4;      // of so many points one tells whether that is worth it
+constexpr double worth = 1.25;         // a glance's score may be worse by that
+constexpr int try_rounds = 2;
+constexpr double better = 2;  // by how much a score must be better to count
+
+double size_of_place(const ProbeReach& reach) {
+  return least_size + size_per_smoothing * reach.smoothing;
+}
+
+void choose_places(SheetModel& model, double size) {
+  SheetPlaces& places = model.places;
+  places = {};
+  places.of_point.assign(model.size(), no_point);
+  std::uint32_t entries = 0;
+  for (std::uint32_t i = 0; i < model.size(); ++i) {
+    if (places.of_point[i] != no_point) continue;
+    const auto number = static_cast<std::uint32_t>(places.point.size());
+    places.point.push_back(i);
+    places.known.push_back(model.plain[i] ? no_point : entries++);
+    places.of_point[i] = number;
+    const double limit = size * model.prepared.spacing.of_point[i];
+    for (const std::uint32_t j : model.prepared.neighborhoods.of(i))
+      if (places.of_point[j] == no_point &&
+          squared_distance(model.points()[i], model.points()[j]) < limit * limit)
+        places.of_point[j] = number;
+  }
+  places.sheets.resize(entries);
+}
+
+LocalSheets without(LocalSheets sheets, std::size_t s) {
+  for (std::size_t i = s; i + 1 < sheets.count; ++i) sheets.sheet[i] = sheets.sheet[i + 1];
+  --sheets.count;
+  sheets.data_sides.fill(~std::uint64_t{0});  // not known yet
+  return sheets;
+}
+
+// One thread's means to find the sheets of one place after the other.
+class PlaceWork {
+ public:
+  PlaceWork(const SheetModel& model, const KdTree& tree, const ProbeReach& reach, double noise)
+      : model_(model), tree_(tree), reach_(reach), separator_(model, noise) {}
+
+  PlaceSheets find(std::uint32_t place) {
+    gather(place);
+    separator_.separate(region_);
+    return {region_.sheets, reach_, separator_.score(region_)};
+  }
+
+  // The same without each of its sheets; then what places near it have.
+  PlaceSheets improve(std::uint32_t place, const std::vector<PlaceSheets>& last) {
+    const SheetPlaces& places = model_.places;
+    PlaceSheets best = last[places.known[place]];
+    gather(place);
+    region_.sheets = best.sheets;
+    best.score = separator_.score(region_);
+    const LocalSheets own = best.sheets;
+    for (std::size_t s = 0; s < own.count && own.count > 1; ++s) try_sheets(without(own, s), best);
+    for (const std::uint32_t other : worth_trying(place, last))
+      try_sheets(last[places.known[other]].sheets, best);
+    return best;
+  }
+
+  // Halves the look while the sheets fit badly: a thin part is too much for one quadric a sheet.
+  PlaceSheets narrow(std::uint32_t place, PlaceSheets found) {
+    if (!separator_.fits_badly(found.sheets)) return found;
+    gather(place);
+    while (halve(region_)) {
+      separator_.separate(region_);
+      found = {region_.sheets, {region_.smoothing, region_.points.size()}, 0};
+      if (!separator_.fits_badly(found.sheets)) break;
+    }
+    return found;
+  }
+
+ private:
+  void gather(std::uint32_t place) {
+    gather_region(model_, tree_, model_.points()[model_.places.point[place]], reach_, region_);
+  }
+
+  void try_sheets(const LocalSheets& sheets, PlaceSheets& best) {
+    separator_.start_from(sheets, region_, try_rounds);
+    const double score = separator_.score(region_);
+    if (score < best.score - better) best.score = score, best.sheets = region_.sheets;
+  }
+
+  // Places next to this one whose sheets, as they are, explain its points about as well.
+  std::vector<std::uint32_t> worth_trying(std::uint32_t place,
+                                          const std::vector<PlaceSheets>& last) {
+    const SheetPlaces& places = model_.places;
+    std::vector<std::uint32_t> others;
+    for (const std::uint32_t j : model_.prepared.neighborhoods.of(places.point[place])) {
+      const std::uint32_t other = places.of_point[j];
+      if (other != place && places.known[other] != no_point &&
+          std::find(others.begin(), others.end(), other) == others.end())
+        others.push_back(other);
+    }
+    std::vector<std::pair<double, std::uint32_t>> scored;
+    const double limit = worth * last[places.known[place]].score;
+    for (const std::uint32_t other : others) {
+      region_.sheets = last[places.known[other]].sheets;
+      const double score = separator_.score(region_, glance);
+      if (score < limit) scored.emplace_back(score, other);
+    }
+    std::sort(scored.begin(), scored.end());
+    others.clear();
+    for (std::size_t i = 0; i < std::min(most_tried, scored.size()); ++i)
+      others.push_back(scored[i].second);
+    return others;
+  }
+
+  const SheetModel& model_;
+  const KdTree& tree_;
+  ProbeReach reach_;
+  SheetSeparator separator_;
+  SheetRegion region_;
+};
+
+// Median deviation of the largest sheets: much noise was read as less from narrow looks.
+double noise_of(const std::vector<PlaceSheets>& found) {
+  std::vector<double> deviation;
+  for (const PlaceSheets& place : found) {
+    const Sheet* largest = nullptr;
+    for (std::size_t s = 0; s < place.sheets.count; ++s)
+      if (!largest || place.sheets.sheet[s].support > largest->support)
+        largest = &place.sheets.sheet[s];
+    if (largest) deviation.push_back(largest->deviation);
+  }
+  if (deviation.empty()) return 0;
+  const auto middle = deviation.begin() + static_cast<std::ptrdiff_t>(deviation.size() / 2);
+  std::nth_element(deviation.begin(), middle, deviation.end());
+  return *middle;
+}
+
+}  // namespace
+
+ProbeReach reach_of_places(const ProbeReach& reach) {
+  const double radius = std::sqrt(static_cast<double>(reach.k) / pi) + size_of_place(reach);
+  return {reach.smoothing, static_cast<std::size_t>(pi * radius * radius)};
+}
+
+void separate_places(SheetModel& model, const KdTree& tree, const ProbeReach& reach,
+                     const Job& job) {
+  choose_places(model, size_of_place(reach));
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t p = 0; p < model.places.point.size(); ++p)
+    if (model.places.known[p] != no_point) open.push_back(p);
+  const ProbeReach wide = reach_of_places(reach);
+  double noise = 0;
+  const auto for_all = [&](const auto& work) {
+    std::vector<PlaceSheets> next(open.size());
+    parallel_for(job, "sheets", open.size(), grain, [&](std::size_t begin, std::size_t end) {
+      PlaceWork own(model, tree, wide, noise);
+      for (std::size_t i = begin; i < end; ++i) next[i] = work(own, open[i], i);
+    });
+    model.places.sheets = std::move(next);
+  };
+  for_all([](PlaceWork& work, std::uint32_t p, std::size_t) { return work.find(p); });
+  if (!model.tolerances.exact()) noise = noise_of(model.places.sheets);
+  for (int sweep = 0; sweep < sweeps && !model.tolerances.exact(); ++sweep)
+    for_all([&](PlaceWork& work, std::uint32_t p, std::size_t) {
+      return work.improve(p, model.places.sheets);
+    });
+  for_all([&](PlaceWork& work, std::uint32_t p, std::size_t i) {
+    return work.narrow(p, model.places.sheets[i]);
+  });
+}
+
+}  // namespace spigolo

@@ -12,9 +12,13 @@
 #include "spigolo/core/job.h"          // threads, progress, cancelling
 #include "spigolo/core/point_cloud.h"  // points with named scalars
 #include "spigolo/core/triangle_mesh.h"
-#include "spigolo/detect/detect.h"    // detect()
-#include "spigolo/index/summary.h"    // summarize(): counts, spacing, noise
-#include "spigolo/io/cloud_file.h"    // read_cloud(), write_cloud()
-#include "spigolo/pipeline/blend.h"   // blend(), blend_sharp()
-#include "spigolo/pipeline/mesh.h"    // mesh_cloud()
-#include "spigolo/pipeline/smooth.h"  // smooth()
+#include "spigolo/detect/detect.h"        // detect()
+#include "spigolo/index/summary.h"        // summarize(): counts, spacing, noise
+#include "spigolo/io/cloud_file.h"        // read_cloud(), write_cloud(), write_mesh()
+#include "spigolo/io/curve_writers.h"     // write_curves(): DXF and others
+#include "spigolo/measure/distance.h"     // compare()
+#include "spigolo/pipeline/blend.h"       // blend(), blend_sharp()
+#include "spigolo/pipeline/curve_step.h"  // step_text(): curves as STEP
+#include "spigolo/pipeline/lines.h"       // find_lines()
+#include "spigolo/pipeline/mesh.h"        // mesh_cloud()
+#include "spigolo/pipeline/smooth.h"      // smooth()

@@ -16,17 +16,22 @@ namespace {
 
 constexpr double longest_reach = 12;    // [spacings] along a form beyond an end
 constexpr double own_share = 0.6;       // of its own length that a curve reaches beyond it
-constexpr double path_step = 0.5;       // [spacings]
-constexpr double plain_reach = 4.5;     // [spacings] more is marked as bridged
-constexpr std::size_t least_chain = 3;  // places; shorter chains tell no direction
+constexpr double exact_scatter = 0.03;  // [spacings] with less, forms are exact
+constexpr double exact_reach = 20, exact_share = 1.2;  // the same for those
+constexpr double path_step = 0.5;                      // [spacings]
+constexpr double plain_reach = 4.5;                    // [spacings] more is marked as bridged
+constexpr std::size_t least_chain = 3;                 // places; shorter chains tell no direction
 
 // Places half a spacing apart along the form of a draft, beyond one of its ends.
-std::vector<Vec3> path_beyond(const CurveDraft& draft, int side) {
+std::vector<Vec3> path_beyond(const CurveDraft& draft, int side, double scatter) {
   const auto& places = draft.guide.places;
   const Vec3 end = side == 0 ? places.front() : places.back();
   const double length = draft.guide.length();
   const Vec3 outward = draft.guide.direction(side == 0 ? 0 : length) * (side == 0 ? -1.0 : 1.0);
-  const double steps = std::min(longest_reach, own_share * length) / path_step;
+  const bool exact = scatter < exact_scatter;
+  const double steps =
+      std::min(exact ? exact_reach : longest_reach, (exact ? exact_share : own_share) * length) /
+      path_step;
   std::vector<Vec3> path;
   if (const auto* line = std::get_if<LineFit>(&draft.form)) {
     const Vec3 d = line->direction * (dot(line->direction, outward) < 0 ? -1.0 : 1.0);
@@ -50,6 +55,7 @@ struct Target {
   std::size_t owner;  // 2 * draft + side of a free end; own_of_nobody for junctions
   std::size_t steps;  // of its owner's path to get there
   Vec3 outward;       // of free ends
+  std::size_t ahead;  // places of the path of a free end
 };
 constexpr std::size_t own_of_nobody = static_cast<std::size_t>(-1);
 
@@ -63,8 +69,8 @@ std::size_t steps_to_target(std::span<const Vec3> path, const PlaceGrid& grid,
     const Vec3 going = path[k] - path[k > 0 ? k - 1 : 0];
     grid.within(path[k], near, [&](std::uint32_t t) {
       if (targets[t].owner == self) return;
-      // Of two ends that face each other one goes on.
-      taken |= targets[t].steps == 0 && targets[t].owner < self &&
+      // Of two ends that face each other one goes on, if it gets so far.
+      taken |= targets[t].steps == 0 && targets[t].owner < self && targets[t].ahead >= k &&
                dot(targets[t].outward, going) < -0.8 * norm(going);
       there |= targets[t].steps == 0;
       if (k + targets[t].steps < least) least = k + targets[t].steps, best = k + 1;
@@ -85,18 +91,19 @@ std::vector<CreaseSample> joined(std::vector<std::vector<CreaseSample>>& parts) 
 std::vector<Chain> reach_out(std::span<const CurveDraft> drafts, std::span<const Vec3> junctions,
                              double scatter) {
   std::vector<Target> targets;
-  for (const Vec3& j : junctions) targets.push_back({j, own_of_nobody, 0, {}});
+  for (const Vec3& j : junctions) targets.push_back({j, own_of_nobody, 0, {}, 0});
   std::vector<std::vector<Vec3>> paths(2 * drafts.size());
   for (std::size_t e = 0; e < paths.size(); ++e) {
     const CurveDraft& draft = drafts[e / 2];
     const auto side = static_cast<int>(e % 2);
     if (draft.guide.closed || draft.junction[e % 2] != no_junction) continue;
-    targets.push_back(
-        {side == 0 ? draft.guide.places.front() : draft.guide.places.back(), e, 0,
-         draft.guide.direction(side == 0 ? 0 : draft.guide.length()) * (side == 0 ? -1.0 : 1.0)});
-    paths[e] = path_beyond(draft, side);
+    paths[e] = path_beyond(draft, side, scatter);
+    const double outward = side == 0 ? -1.0 : 1.0;
+    targets.push_back({side == 0 ? draft.guide.places.front() : draft.guide.places.back(), e, 0,
+                       draft.guide.direction(side == 0 ? 0 : draft.guide.length()) * outward,
+                       paths[e].size()});
     for (std::size_t k = 0; k < paths[e].size(); ++k)
-      targets.push_back({paths[e][k], e, k + 1, {}});
+      targets.push_back({paths[e][k], e, k + 1, {}, 0});
   }
   std::vector<Vec3> places;
   for (const Target& t : targets) places.push_back(t.place);

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double least_apart = 0.3;     // [spacings] places of a guide
 constexpr double doubtful_end = 10;     // [spacings] of a curve that may be wrong
+constexpr double form_reach = 0.01;     // [spacings] by chance nothing is so near to a form
 constexpr double one_march = 0.8;       // [spacings] marches that come so near have met
 constexpr std::size_t least_chain = 3;  // places; shorter chains tell no direction
 
@@ -29,13 +30,21 @@ void dissolve_pairs(std::vector<CurveDraft>& drafts) {
       if (valence[j] <= 2) j = no_junction;
 }
 
+// Whether a place lies on the line or circle that a draft was recognised as.
+bool on_form(const CurveDraft& draft, const Vec3& p) {
+  if (const auto* line = std::get_if<LineFit>(&draft.form))
+    return norm(cross(p - line->place, line->direction)) < form_reach;
+  const auto* circle = std::get_if<CircleFit>(&draft.form);
+  return circle && circle->distance(p) < form_reach;
+}
+
 // Free ends go as far as there are members, sure ones if there are any not far from the end.
 void trim_free_ends(CurveDraft& draft, std::span<const CreaseSample> samples) {
   if (draft.guide.closed || draft.members.empty()) return;
   double first = draft.members.front().arc, last = draft.members.back().arc;
   std::vector<double> sure;
   for (const Member& m : draft.members)
-    if (samples[m.sample].sure) sure.push_back(m.arc);
+    if (samples[m.sample].sure || on_form(draft, samples[m.sample].place)) sure.push_back(m.arc);
   if (sure.size() >= least_chain) {
     if (sure.front() - first < doubtful_end) first = sure.front();
     if (last - sure.back() < doubtful_end) last = sure.back();

@@ -172,6 +172,18 @@ std::vector<Vec3> joined(std::span<const Vec3> a, std::span<const Vec3> b) {
   return all;
 }
 
+std::vector<Vec3> junctions_in_use(std::span<const CurveDraft> drafts,
+                                   std::span<const Vec3> junctions) {
+  std::vector<char> used(junctions.size(), 0);
+  for (const CurveDraft& draft : drafts)
+    for (const int j : draft.junction)
+      if (j != no_junction) used[static_cast<std::size_t>(j)] = 1;
+  std::vector<Vec3> places;
+  for (std::size_t j = 0; j < junctions.size(); ++j)
+    if (used[j]) places.push_back(junctions[j]);
+  return places;
+}
+
 // The cloud is asked where chains go on, and again along the curves: for what lies between the
 // samples, or with noise for all of it, since what single points saw of the crease is biased.
 void trace_edges(Layer layer, const Survey& survey, std::span<const Vec3> hints, const Job& job,
@@ -200,10 +212,13 @@ void trace_edges(Layer layer, const Survey& survey, std::span<const Vec3> hints,
     guide_by_stations(drafts, raw.junctions);
     follow_samples(drafts, layer, job);
   }
-  if (exact) extend(go_on(survey, drafts, layer.samples, job));
+  if (exact) {
+    extend(go_on(survey, drafts, layer.samples, job));
+    follow_samples(drafts, layer, job);
+  }
   recognize_all(drafts, layer, job);
-  raw = join_chains(reach_out(drafts, raw.junctions, layer.scatter), joined(hints, raw.junctions),
-                    layer.scatter);
+  raw = join_chains(reach_out(drafts, raw.junctions, layer.scatter),
+                    joined(hints, junctions_in_use(drafts, raw.junctions)), layer.scatter);
   drafts = drafts_of(raw);
   follow_samples(drafts, layer, job);
   recognize_all(drafts, layer, job);

@@ -123,6 +123,7 @@ CreaseSamples gather_samples(std::span<const Vec3> points, const Features& featu
     if (kind == PointKind::edge) samples.edges.push_back(sample);
     if (kind == PointKind::border) samples.borders.push_back(sample);
     if (kind == PointKind::corner) samples.corners.push_back(sample.place);
+    if (kind != PointKind::border) samples.marks.push_back(sample);
   }
   for (int round = 0; round < (scatter < exact_scatter ? 1 : 2); ++round)
     settle(samples.edges, scatter, job);

@@ -27,9 +27,10 @@ struct CreaseSample {
 /// In a canonical order; positions relative to `origin`, in units of `unit`.
 struct CreaseSamples {
   std::vector<CreaseSample> edges, borders;
-  std::vector<Vec3> corners;  // where single points saw three sheets meet
-  Vec3 origin;                // [input units]
-  double unit = 1;            // [input units] one spacing
+  std::vector<Vec3> corners;        // where single points saw three sheets meet
+  std::vector<CreaseSample> marks;  // edges and corners as they were marked, all of them
+  Vec3 origin;                      // [input units]
+  double unit = 1;                  // [input units] one spacing
 
   Vec3 inside(const Vec3& p) const { return (p - origin) / unit; }
   Vec3 outside(const Vec3& p) const { return p * unit + origin; }

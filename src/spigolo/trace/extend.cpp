@@ -17,22 +17,28 @@ namespace {
 constexpr double longest_reach = 12;    // [spacings] along a form beyond an end
 constexpr double own_share = 0.6;       // of its own length that a curve reaches beyond it
 constexpr double exact_scatter = 0.03;  // [spacings] with less, forms are exact
-constexpr double exact_reach = 20, exact_share = 1.2;  // the same for those
+constexpr double exact_reach = 20, exact_share = 1.2;  // and lead so far to junctions
 constexpr double path_step = 0.5;                      // [spacings]
 constexpr double plain_reach = 4.5;                    // [spacings] more is marked as bridged
 constexpr std::size_t least_chain = 3;                 // places; shorter chains tell no direction
 
+// Beyond an end: all places lead to junctions, the first ones to other ends, too.
+struct Path {
+  std::vector<Vec3> places;
+  std::size_t plain = 0;
+};
+
 // Places half a spacing apart along the form of a draft, beyond one of its ends.
-std::vector<Vec3> path_beyond(const CurveDraft& draft, int side, double scatter) {
+Path path_beyond(const CurveDraft& draft, int side, double scatter) {
   const auto& places = draft.guide.places;
   const Vec3 end = side == 0 ? places.front() : places.back();
   const double length = draft.guide.length();
   const Vec3 outward = draft.guide.direction(side == 0 ? 0 : length) * (side == 0 ? -1.0 : 1.0);
-  const bool exact = scatter < exact_scatter;
+  const double plain = std::min(longest_reach, own_share * length) / path_step;
   const double steps =
-      std::min(exact ? exact_reach : longest_reach, (exact ? exact_share : own_share) * length) /
-      path_step;
-  std::vector<Vec3> path;
+      scatter < exact_scatter ? std::min(exact_reach, exact_share * length) / path_step : plain;
+  Path beyond{{}, static_cast<std::size_t>(plain)};
+  auto& path = beyond.places;
   if (const auto* line = std::get_if<LineFit>(&draft.form)) {
     const Vec3 d = line->direction * (dot(line->direction, outward) < 0 ? -1.0 : 1.0);
     const Vec3 from = line->place + d * dot(end - line->place, d);
@@ -46,7 +52,7 @@ std::vector<Vec3> path_beyond(const CurveDraft& draft, int side, double scatter)
       path.push_back(circle->center + (x * std::cos(a) + y * std::sin(a)) * circle->radius);
     }
   }
-  return path;
+  return beyond;
 }
 
 // What free ends may come to.
@@ -61,14 +67,16 @@ constexpr std::size_t own_of_nobody = static_cast<std::size_t>(-1);
 
 // How many places of the path lead to a target, 0 if none does: the first junction or end; else
 // where it meets another path soonest for both.
-std::size_t steps_to_target(std::span<const Vec3> path, const PlaceGrid& grid,
+std::size_t steps_to_target(const Path& beyond, const PlaceGrid& grid,
                             std::span<const Target> targets, std::size_t self, double near) {
+  const auto& path = beyond.places;
   std::size_t best = 0, least = path.size() * 4;
   for (std::size_t k = 0; k < path.size(); ++k) {
     bool there = false, taken = false;
     const Vec3 going = path[k] - path[k > 0 ? k - 1 : 0];
     grid.within(path[k], near, [&](std::uint32_t t) {
       if (targets[t].owner == self) return;
+      if (targets[t].owner != own_of_nobody && k >= beyond.plain) return;
       // Of two ends that face each other one goes on, if it gets so far.
       taken |= targets[t].steps == 0 && targets[t].owner < self && targets[t].ahead >= k &&
                dot(targets[t].outward, going) < -0.8 * norm(going);
@@ -92,7 +100,7 @@ std::vector<Chain> reach_out(std::span<const CurveDraft> drafts, std::span<const
                              double scatter) {
   std::vector<Target> targets;
   for (const Vec3& j : junctions) targets.push_back({j, own_of_nobody, 0, {}, 0});
-  std::vector<std::vector<Vec3>> paths(2 * drafts.size());
+  std::vector<Path> paths(2 * drafts.size());
   for (std::size_t e = 0; e < paths.size(); ++e) {
     const CurveDraft& draft = drafts[e / 2];
     const auto side = static_cast<int>(e % 2);
@@ -101,9 +109,9 @@ std::vector<Chain> reach_out(std::span<const CurveDraft> drafts, std::span<const
     const double outward = side == 0 ? -1.0 : 1.0;
     targets.push_back({side == 0 ? draft.guide.places.front() : draft.guide.places.back(), e, 0,
                        draft.guide.direction(side == 0 ? 0 : draft.guide.length()) * outward,
-                       paths[e].size()});
-    for (std::size_t k = 0; k < paths[e].size(); ++k)
-      targets.push_back({paths[e][k], e, k + 1, {}, 0});
+                       paths[e].plain});
+    for (std::size_t k = 0; k < std::min(paths[e].plain, paths[e].places.size()); ++k)
+      targets.push_back({paths[e].places[k], e, k + 1, {}, 0});
   }
   std::vector<Vec3> places;
   for (const Target& t : targets) places.push_back(t.place);
@@ -119,7 +127,7 @@ std::vector<Chain> reach_out(std::span<const CurveDraft> drafts, std::span<const
       const std::size_t steps = steps_to_target(path, grid, targets, 2 * c + side, near);
       chain.bridged = chain.bridged || static_cast<double>(steps) * path_step > plain_reach;
       for (std::size_t k = 1; k + 1 < steps; k += 2)
-        chain.places.insert(side == 0 ? chain.places.begin() : chain.places.end(), path[k]);
+        chain.places.insert(side == 0 ? chain.places.begin() : chain.places.end(), path.places[k]);
     }
   }
   return chains;

@@ -99,14 +99,17 @@ Survey::Survey(std::span<const Vec3> points, const CreaseSamples& samples, doubl
                const Job& job)
     : cloud_(order_cloud(in_spacings(points, samples), job)), tree_(cloud_), noise_(noise) {}
 
-std::optional<SectionFit> Survey::look(const SectionQuery& query) const {
-  const double reach = std::max(query.behind, query.ahead);
-  const Vec3 center = query.place - cloud_.origin;
+std::vector<Vec3> Survey::points_near(const Vec3& place, double radius) const {
   std::vector<Neighbor> found;
-  tree_.within(center, std::hypot(section_radius(noise_), reach), found);
+  tree_.within(place - cloud_.origin, radius, found);
   std::vector<Vec3> near;
   for (const Neighbor& n : found) near.push_back(cloud_.points[n.index] + cloud_.origin);
-  return fit_section(near, query);
+  return near;
+}
+
+std::optional<SectionFit> Survey::look(const SectionQuery& query) const {
+  const double reach = std::max(query.behind, query.ahead);
+  return fit_section(points_near(query.place, std::hypot(section_radius(noise_), reach)), query);
 }
 
 std::vector<CreaseSample> march(const Survey& survey, const ChainEnd& end, double angle,

@@ -29,6 +29,9 @@ class Survey {
 
   double noise() const { return noise_; }
 
+  /// The points within a radius of a place.
+  std::vector<Vec3> points_near(const Vec3& place, double radius) const;
+
   /// The crease near a place, as fit_section finds it.
   std::optional<SectionFit> look(const SectionQuery& query) const;
 

@@ -179,6 +179,10 @@ std::vector<BlendScene> blend_scenes(const std::string& data) {
     scenes.push_back(oblique_tube(angle, 8.7));
     scenes.back().name += ", kept apart";
   }
+  scenes.push_back(oblique_tube(33, 6.3));
+  scenes.push_back(oblique_tube(18, 12.2));
+  for (std::size_t i = scenes.size() - 2; i < scenes.size(); ++i)
+    scenes[i].name += ", kept apart from all choices";
   if (!data.empty()) scenes.push_back(fandisk(data));
   return scenes;
 }

@@ -260,9 +260,11 @@ void chapter5(Report& report, const std::filesystem::path& data,
       "spacing, the most along each profile. Ripple: rms of its waves along the collar, shorter "
       "than 8. Gap: from a place of the collar to the nearest point. Face or cloud moved: MLS "
       "surface 2 to 6 away from the collar. Enclosed samples that stayed, and samples removed "
-      "though they lie outside the collar. The window over which setbacks are smoothed was chosen "
-      "on "
-      "the tubes of radius 4.1 on a plane; those of radius 8.7 were kept apart.");
+      "though they lie outside the collar. What the ball does in "
+      "acute corners and at edges was chosen on the tubes of radius 4.1, on the tube across an "
+      "edge "
+      "and on the fandisk; the tubes of radius 8.7 were looked at, those of radius 6.3 and 12.2 "
+      "not before all was chosen.");
   cases(report, data.string());
   sweep(report, pictures);
   noise(report, pictures);

@@ -10,7 +10,10 @@
 #include "spigolo/blend/collar.h"
 #include "spigolo/blend/curve_distance.h"
 #include "spigolo/blend/eliminate.h"
+#include "spigolo/blend/handles.h"
+#include "spigolo/blend/rolling_ball.h"
 #include "spigolo/blend/scatter.h"
+#include "spigolo/blend/smooth_row.h"
 #include "spigolo/core/error.h"
 
 namespace spigolo::test {
@@ -129,10 +132,75 @@ TEST(Collar, stripOfARightAngleIsTangentAndNearlyRound) {
   s.angle = pi / 2;
   s.alpha = {0, 0, 4}, s.alpha_normal = ex, s.toward_face = ez;
   s.beta = {4, 0, 0}, s.beta_normal = ez, s.toward_cloud = ex;
+  point_to_crossing(s);
   const StripPoles strip = tangent_strip(s);
   EXPECT_EQ(strip[1].x, 0);
   EXPECT_EQ(strip[2].z, 0);
   EXPECT_NEAR(strip[1].z, 4 - 4 * 1.1 * 0.5522847, 1e-6);
+}
+
+TEST(RoundCorners, keepsLinesAndWideBendsAndRoundsCorners) {
+  std::vector<Vec3> line, circle, corner;
+  for (int i = 0; i < 60; ++i) {
+    line.push_back({0.4 * i, 2, 3});
+    circle.push_back({6 * std::cos(2 * pi * i / 60), 6 * std::sin(2 * pi * i / 60), 0});
+    corner.push_back(i < 30 ? Vec3{0.3 * (i - 30), 0, 0} : Vec3{0, 0.3 * (i - 30), 0});
+  }
+  const auto largest_move = [](const std::vector<Vec3>& row, bool closed) {
+    const std::vector<Vec3> moved = round_corners(row, 1, closed);
+    double most = 0;
+    for (std::size_t i = 0; i < row.size(); ++i) most = std::max(most, distance(row[i], moved[i]));
+    return most;
+  };
+  EXPECT_LT(largest_move(line, false), 1e-12);
+  EXPECT_LT(largest_move(circle, true), 6 * 2e-4);  // 6 (1 - exp(-1/72))^2
+  const double at_corner = largest_move(corner, false);
+  EXPECT_GT(at_corner, 0.15);
+  EXPECT_LT(at_corner, 0.35);
+}
+
+// A tube that leans over a plane: the ball's center is R over both.
+TEST(RollingBall, touchesFaceAndCloudAtItsRadius) {
+  const double lean = radians(50);
+  const Vec3 axis{std::cos(lean), 0, std::sin(lean)}, foot{20.3, 20.3, 0};
+  const NurbsFace face = face_of(nurbs_tube({foot - axis * 15.0, axis}, 5, 40));
+  const Isolines isolines(face, parse_start("v1"));
+  const CloudSide cloud(plane(41));
+  const Vec3 origin = cloud.mls().origin();
+  BorderLoop loop;
+  loop.closed = true;
+  for (int i = 0; i < 40; ++i) {
+    Strand s;
+    s.line = *isolines.line(i / 40.0);
+    // Where the isoline meets the plane.
+    double low = s.line.end, high = s.line.begin;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = (low + high) / 2;
+      (isolines.at(s.line.cross, middle).point.z < 0 ? low : high) = middle;
+    }
+    s.at = low;
+    const IsoPoint p = isolines.at(s.line.cross, s.at);
+    s.x = p.point, s.face_normal = p.normal, s.cloud_normal = ez;
+    s.radius = 3 + std::cos(2 * pi * i / 40);
+    loop.strands.push_back(s);
+  }
+  const Vec3 outward = loop.strands[0].x - foot;
+  loop.side = dot(loop.strands[0].face_normal, outward) > 0 ? 1 : -1;
+  ASSERT_EQ(origin, (Vec3{20, 20, 0}));
+  NurbsFace shifted = face;
+  for (Vec3& pole : shifted.surface.poles) pole -= origin;
+  for (Strand& s : loop.strands) s.x -= origin;
+  set_directions(loop);
+  const Isolines lines(shifted, parse_start("v1"));
+  EXPECT_EQ(roll_ball(lines, cloud, loop, {}).patched, 0u);
+  for (const Strand& s : loop.strands) {
+    const Vec3 center = s.alpha + s.alpha_normal * (loop.side * s.radius);
+    EXPECT_NEAR(distance(center, s.alpha), s.radius, 1e-9);
+    EXPECT_NEAR(center.z, s.radius, 1e-5);
+    EXPECT_NEAR(distance(center, s.beta), s.radius, 1e-5);
+    EXPECT_NEAR(dot(s.alpha_handle, s.alpha_normal), 0, 1e-9);
+    EXPECT_NEAR(s.beta_handle.z, 0, 1e-9);
+  }
 }
 
 }  // namespace

@@ -39,12 +39,13 @@ inline std::vector<Vec3> cube(Sampling sampling = Sampling::lattice, double nois
 }
 
 /// Square lattice of spacing 1 in the plane z = 0, [0, n - 1] both ways.
-inline std::vector<Vec3> plane(int n) {
+inline std::vector<Vec3> plane(int nx, int ny) {
   std::vector<Vec3> points;
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) points.push_back({double(i), double(j), 0});
+  for (int i = 0; i < nx; ++i)
+    for (int j = 0; j < ny; ++j) points.push_back({double(i), double(j), 0});
   return points;
 }
+inline std::vector<Vec3> plane(int n) { return plane(n, n); }
 
 /// Tube of radius 8 that stands on the middle of the cube's top and goes 8 down into it.
 inline NurbsFace top_tube(double length = 28) {

@@ -52,7 +52,7 @@ Filled tangent_blend(const Scene& scene, std::vector<TracedStart>& traced, const
   out.removed.assign(scene.cloud.points().size(), 0);
   for (const TracedStart& t : traced) {
     std::vector<char> own(out.removed.size(), 0);
-    remove_enclosed(scene.cloud, CollarCurve(t.loop), t.loop, own);
+    remove_enclosed(scene.cloud, t.loop, own);
     out.removed_by.push_back(static_cast<std::size_t>(std::count(own.begin(), own.end(), 1)));
     for (std::size_t i = 0; i < own.size(); ++i) out.removed[i] |= own[i];
     out.collars.push_back(build_collar(t.loop));

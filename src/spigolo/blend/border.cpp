@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spigolo/blend/handles.h"
+#include "spigolo/blend/patch.h"
 #include "spigolo/core/error.h"
 #include "spigolo/core/parallel.h"
 
@@ -133,36 +135,6 @@ class CloudMarch {
   MlsScratch& scratch_;
 };
 
-// Betas that could not be reached lie between the nearest ones that could.
-std::size_t patch(std::vector<Strand>& strands, const std::vector<char>& good, bool closed,
-                  const CloudSide& cloud) {
-  const std::size_t n = strands.size();
-  std::size_t patched = 0;
-  MlsScratch scratch;
-  const auto next_good = [&](std::size_t i, bool forward, std::size_t& steps) {
-    for (steps = 1; steps < n; ++steps) {
-      if (!closed && (forward ? i + steps >= n : steps > i)) break;
-      const std::size_t j = forward ? (i + steps) % n : (i + n - steps) % n;
-      if (good[j]) return j;
-    }
-    steps = 0;
-    return i;
-  };
-  for (std::size_t i = 0; i < n; ++i) {
-    if (good[i]) continue;
-    ++patched;
-    std::size_t before = 0, after = 0;
-    const std::size_t a = next_good(i, false, before), b = next_good(i, true, after);
-    const double share = before == 0 ? 1 : after == 0 ? 0 : double(before) / double(before + after);
-    const Vec3 between = strands[a].beta + (strands[b].beta - strands[a].beta) * share;
-    const Vec3 up = strands[a].beta_normal + strands[b].beta_normal;
-    const OrientedFoot foot = orient_foot(cloud.project(between, scratch), between, up);
-    strands[i].beta = foot.foot;
-    strands[i].beta_normal = foot.found ? foot.normal : strands[a].beta_normal;
-  }
-  return patched;
-}
-
 }  // namespace
 
 CollarCurve::CollarCurve(const BorderLoop& loop)
@@ -207,7 +179,9 @@ BetaReport find_betas(const CloudSide& cloud, const CollarCurve& collar, BorderL
     throw NoResultError(
         "the collar finds no room on the cloud: it overlaps itself; take a smaller radius or "
         "width");
-  return {patch(strands, good, loop.closed, cloud)};
+  const std::size_t patched = patch_betas(cloud, good, loop);
+  for (Strand& s : strands) point_to_crossing(s);
+  return {patched};
 }
 
 }  // namespace spigolo

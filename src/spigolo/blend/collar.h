@@ -9,8 +9,7 @@
 
 namespace spigolo {
 
-/// The cubic from alpha to beta that leaves the face and meets the cloud without a kink: its
-/// handles lie in their tangent planes and point to X, as long as those of a circular arc.
+/// The cubic from alpha to beta that leaves the face and meets the cloud without a kink.
 StripPoles tangent_strip(const Strand& strand);
 
 /// The collar as one surface: v in [0, 1] from alpha to beta, u in [0, 1] along the loop.

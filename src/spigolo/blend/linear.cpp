@@ -220,6 +220,8 @@ LinearBorder linear_border(const CloudSide& cloud, const TracedStart& traced,
     const OrientedFoot foot = orient_foot(cloud.project(s.beta, scratch), s.beta, up);
     s.beta_normal = foot.found ? foot.normal : normalized(up);
     s.x = (s.alpha + s.beta) / 2;
+    s.alpha_handle = s.x - s.alpha;
+    s.beta_handle = s.x - s.beta;
     const Vec3 away = s.beta - s.alpha;
     s.toward_cloud = normalized(away - s.beta_normal * dot(away, s.beta_normal));
   }

@@ -8,8 +8,11 @@
 #include <cmath>
 #include <utility>
 
+#include "spigolo/blend/handles.h"
 #include "spigolo/blend/intersect.h"
 #include "spigolo/blend/remove.h"
+#include "spigolo/blend/rolling_ball.h"
+#include "spigolo/blend/widen.h"
 #include "spigolo/core/error.h"
 
 namespace spigolo {
@@ -90,21 +93,32 @@ std::vector<Vec3> other_curves(const std::vector<TracedStart>& traced, std::size
   return points;
 }
 
+BetaReport find_borders(const CloudSide& cloud, const Setbacks& setbacks, TracedStart& t,
+                        const Job& job) {
+  if (setbacks.radius > 0) return roll_ball(t.isolines, cloud, t.loop, job);
+  const CollarCurve collar(t.loop);
+  find_alphas(t.isolines, collar, t.loop, job);
+  return find_betas(cloud, collar, t.loop, job);
+}
+
 void trace_one(const CloudSide& cloud, const Setbacks& setbacks, std::span<const Vec3> others,
                TracedStart& t, const Job& job) {
   const double d = cloud.spacing();
+  Widening widening(setbacks.radius);
   for (int round = 0;; ++round) {
     set_directions(t.loop);
-    set_lengths(t.isolines, setbacks, d, others, t.loop);
-    const CollarCurve collar(t.loop);
-    find_alphas(t.isolines, collar, t.loop, job);
-    t.patched = find_betas(cloud, collar, t.loop, job).patched;
+    do {
+      t.loop.widening = widening.value();
+      set_lengths(t.isolines, setbacks, d, others, t.loop);
+      t.patched = find_borders(cloud, setbacks, t, job).patched;
+    } while (setbacks.radius > 0 && widening.improve(t.loop));
     const std::vector<std::size_t> gaps = wide_gaps(t, widest_gap * d);
-    if (gaps.empty() || round == most_rounds) return;
+    if (gaps.empty() || round == most_rounds) break;
     const std::size_t before = t.loop.strands.size();
     insert_lines(t.isolines, cloud, gaps, t.loop, job);
-    if (t.loop.strands.size() == before) return;
+    if (t.loop.strands.size() == before) break;
   }
+  round_handles(cloud.smoothing() * d, t.loop);
 }
 
 void require_apart(const std::vector<TracedStart>& traced, double spacing) {

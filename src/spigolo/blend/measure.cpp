@@ -148,11 +148,12 @@ std::vector<Vec3> profile(const BorderLoop& loop, const CollarPlace& place, std:
   const Strand& s = loop.strands[i];
   const double length = distance(s.alpha, s.x) + distance(s.x, s.beta);
   const int steps = std::max(2, static_cast<int>(length / step));
+  const Vec3 out_face = -normalized(s.alpha_handle), out_cloud = -normalized(s.beta_handle);
   std::vector<Vec3> points;
-  for (int k = beyond_border; k > 0; --k) points.push_back(s.alpha + s.toward_face * (k * step));
+  for (int k = beyond_border; k > 0; --k) points.push_back(s.alpha + out_face * (k * step));
   for (int k = 0; k <= steps; ++k)
     points.push_back(place(static_cast<double>(i), static_cast<double>(k) / steps));
-  for (int k = 1; k <= beyond_border; ++k) points.push_back(s.beta + s.toward_cloud * (k * step));
+  for (int k = 1; k <= beyond_border; ++k) points.push_back(s.beta + out_cloud * (k * step));
   return points;
 }
 

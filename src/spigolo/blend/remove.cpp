@@ -16,9 +16,9 @@ namespace {
 
 // Lengths in spacings.
 constexpr double longest_edge = 2.2;  // that joins two samples of one surface
-constexpr double wall_width = 2.5;    // of the band that tells the two sides apart
-constexpr double on_curve = 1.75;     // samples so close to X begin the band
-constexpr double rim = 0.5;           // of the width: farther out a sample of the band has a side
+constexpr double band_width = 2.5;    // of the band that tells the two sides apart, to each side
+constexpr double on_curve = 1.75;     // samples so close to the curve begin it
+constexpr double rim = 1.25;          // from X: farther out a sample of the band has a side
 constexpr double steep = 0.8;         // cosine of edge and normal: such an edge leaves the surface
 constexpr double says_little = 0.2;   // mean of cosines below which a direction decides nothing
 constexpr std::size_t normal_points = 12;
@@ -64,13 +64,22 @@ class SurfaceGraph {
   const CloudSide& cloud_;
 };
 
-// The connected samples within `reach` of X, each with its side.
+// A curve on the cloud, and at each of its points the way to the side that stays.
+struct Border {
+  std::vector<Vec3> points, outward;
+  bool closed = false;
+  double undecided = 0;  // [length] so close to it a sample has no side
+};
+
+// The connected samples near a curve, each with its side.
 class Band {
  public:
-  Band(const CloudSide& cloud, const CollarCurve& collar, const BorderLoop& loop,
-       const std::vector<double>& reach)
-      : cloud_(cloud), collar_(collar), loop_(loop), reach_(reach), zone_(cloud.points().size()) {
-    for (const Strand& s : loop.strands) start_at(s.x);
+  Band(const CloudSide& cloud, const Border& border)
+      : cloud_(cloud),
+        border_(border),
+        curve_(border.points, border.closed),
+        zone_(cloud.points().size()) {
+    for (const Vec3& p : border.points) start_at(p);
     const SurfaceGraph graph(cloud);
     for (std::size_t next = 0; next < members_.size(); ++next)
       graph.for_each_neighbor(members_[next], [&](std::uint32_t j) { add(j); });
@@ -78,6 +87,11 @@ class Band {
 
   const std::vector<std::uint32_t>& members() const { return members_; }
   Zone zone(std::uint32_t i) const { return zone_[i]; }
+  // Of any sample not far from the band.
+  Zone side(std::uint32_t i) const {
+    const Vec3& p = cloud_.points()[i];
+    return side_of(p, curve_.nearest(p, scratch_)) >= 0 ? Zone::outer : Zone::inner;
+  }
 
  private:
   void start_at(const Vec3& x) {
@@ -89,22 +103,29 @@ class Band {
   void add(std::uint32_t i) {
     if (zone_[i] != Zone::none) return;
     const Vec3& p = cloud_.points()[i];
-    const CurvePlace place = collar_.curve.nearest(p, scratch_);
-    const double reach = collar_.curve.interpolate(reach_, place);
-    if (!(place.distance < reach)) return;
-    const Strand& s = loop_.strands[place.index];
-    const double side = dot(p - s.x, s.toward_cloud);
-    zone_[i] = std::abs(side) < rim * reach ? Zone::middle : side > 0 ? Zone::outer : Zone::inner;
+    const CurvePlace place = curve_.nearest(p, scratch_);
+    if (!(place.distance < band_width * cloud_.spacing())) return;
+    const double side = side_of(p, place);
+    zone_[i] = std::abs(side) < border_.undecided ? Zone::middle
+               : side >= 0                        ? Zone::outer
+                                                  : Zone::inner;
     members_.push_back(i);
   }
 
+  double side_of(const Vec3& p, const CurvePlace& place) const {
+    const std::size_t a = place.index, b = (a + 1) % border_.points.size();
+    const auto between = [&](const std::vector<Vec3>& v) {
+      return v[a] + (v[b] - v[a]) * place.share;
+    };
+    return dot(p - between(border_.points), between(border_.outward));
+  }
+
   const CloudSide& cloud_;
-  const CollarCurve& collar_;
-  const BorderLoop& loop_;
-  const std::vector<double>& reach_;
+  const Border& border_;
+  CurveDistance curve_;
   std::vector<Zone> zone_;
   std::vector<std::uint32_t> members_;
-  std::vector<Neighbor> scratch_;
+  mutable std::vector<Neighbor> scratch_;
 };
 
 // Spreads over the samples beyond one rim of the band.
@@ -113,7 +134,10 @@ class Flood {
   Flood(const CloudSide& cloud, const Band& band, Zone from)
       : graph_(cloud), band_(band), from_(from), seen_(cloud.points().size(), 0) {
     for (const std::uint32_t i : band.members())
-      if (band.zone(i) == from) graph_.for_each_neighbor(i, [&](std::uint32_t j) { reach(j); });
+      if (band.zone(i) == from)
+        graph_.for_each_neighbor(i, [&](std::uint32_t j) {
+          if (band.zone(j) == Zone::none && band.side(j) == from) reach(j);
+        });
   }
 
   bool done() const { return next_ == reached_.size(); }
@@ -167,9 +191,12 @@ int choose_side(const CloudSide& cloud, const BorderLoop& loop, const std::optio
     const double agrees = agreement(loop, *keep);
     if (std::abs(agrees) >= says_little) return agrees > 0 ? loop.side : -loop.side;
   }
-  const CollarCurve collar(loop);
-  const std::vector<double> reach(loop.strands.size(), wall_width * cloud.spacing());
-  const Band band(cloud, collar, loop, reach);
+  Border crossing{{}, {}, loop.closed, rim * cloud.spacing()};
+  for (const Strand& s : loop.strands) {
+    crossing.points.push_back(s.x);
+    crossing.outward.push_back(s.toward_cloud);
+  }
+  const Band band(cloud, crossing);
   Flood outer(cloud, band, Zone::outer), inner(cloud, band, Zone::inner);
   while (!outer.done() && !inner.done()) {
     inner.step();
@@ -180,13 +207,18 @@ int choose_side(const CloudSide& cloud, const BorderLoop& loop, const std::optio
   return inner.done() ? loop.side : -loop.side;
 }
 
-void remove_enclosed(const CloudSide& cloud, const CollarCurve& collar, const BorderLoop& loop,
-                     std::vector<char>& removed) {
-  const Band band(cloud, collar, loop, collar.width);
+void remove_enclosed(const CloudSide& cloud, const BorderLoop& loop, std::vector<char>& removed) {
+  Border rim_of_collar{{}, {}, loop.closed, 0};
+  for (const Strand& s : loop.strands) {
+    rim_of_collar.points.push_back(s.beta);
+    rim_of_collar.outward.push_back(-normalized(s.beta_handle));
+  }
+  const Band band(cloud, rim_of_collar);
   Flood flood(cloud, band, Zone::inner);
   while (!flood.done()) flood.step();
   if (flood.came_round()) encloses_nothing();
-  for (const std::uint32_t i : band.members()) removed[i] = 1;
+  for (const std::uint32_t i : band.members())
+    if (band.zone(i) == Zone::inner) removed[i] = 1;
   for (const std::uint32_t i : flood.reached()) removed[i] = 1;
 }
 

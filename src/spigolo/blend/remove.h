@@ -16,10 +16,10 @@ namespace spigolo {
 /// cloud in two and no direction is given.
 int choose_side(const CloudSide& cloud, const BorderLoop& loop, const std::optional<Vec3>& keep);
 
-/// Marks the samples (canonical order) of the connected band within the width of X, and all that
-/// is enclosed: reached from the band's inner rim. Adds to `removed`. Throws NoResultError if that
-/// comes back to the outer rim: the intersection does not enclose anything.
-void remove_enclosed(const CloudSide& cloud, const CollarCurve& collar, const BorderLoop& loop,
-                     std::vector<char>& removed);
+/// Marks the samples (canonical order) inside the curve of the betas: those of the connected band
+/// along it that lie on the collar's side, and all that is reached from there. Adds to `removed`.
+/// Throws NoResultError if that comes round to the other side: the intersection does not enclose
+/// anything.
+void remove_enclosed(const CloudSide& cloud, const BorderLoop& loop, std::vector<char>& removed);
 
 }  // namespace spigolo

@@ -5,9 +5,11 @@
 #include "spigolo/blend/setback.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "spigolo/blend/curve_distance.h"
+#include "spigolo/blend/widen.h"
 #include "spigolo/core/error.h"
 
 namespace spigolo {
@@ -18,10 +20,15 @@ constexpr double usual_radius = 3, radius_per_smoothing = 2;
 constexpr double usual_height = 3;  // of the linear collar; its width is sqrt(2) times that, so
                                     // that on a plane both setbacks are equal
 constexpr double least_setback = 2.5, least_possible = 1.5;
-constexpr double window_per_radius = 6;  // half of the smoothing window along X
-constexpr double room_to_start = 1;      // the face goes on this far behind the collar
-constexpr double touching = 0.05;        // sine of the angle of two surfaces that nearly touch
-constexpr double sharpest = 1e-3;        // [rad] angles below count as this
+const double widest = radians(170);         // angles above count as this
+constexpr double window_per_radius = 1.25;  // half of the smoothing window along X
+// A sharp edge of the cloud turns its normals so much within that way to both sides. A large ball
+// would carry the edge far into the collar.
+const double edge_turn = radians(45);
+constexpr double edge_reach = 3.5;
+constexpr double room_to_start = 1;  // the face goes on this far behind the collar
+constexpr double touching = 0.05;    // sine of the angle of two surfaces that nearly touch
+constexpr double sharpest = 1e-3;    // [rad] angles below count as this
 constexpr int line_samples = 256;
 
 std::string spacings_text(double x) {
@@ -83,6 +90,46 @@ std::vector<double> parts_of(const BorderLoop& loop) {
   return part;
 }
 
+// A ball touches both sides at R cot(angle / 2) from X: wide angles take a larger one.
+double reach_per_radius(const Strand& s) { return 1 / std::tan(std::min(s.angle, widest) / 2); }
+
+// Whether the cloud has a sharp edge near that strand: its normals turn within a short way along X.
+bool near_edge(const BorderLoop& loop, std::size_t i, double reach) {
+  const std::vector<Strand>& s = loop.strands;
+  const std::size_t n = s.size();
+  std::array<Vec3, 2> normals;
+  for (const bool forward : {false, true}) {
+    double way = 0;
+    std::size_t at = i;
+    for (std::size_t step = 1; step < n && way < reach; ++step) {
+      if (!loop.closed && (forward ? i + step >= n : step > i)) break;
+      const std::size_t next = forward ? (i + step) % n : (i + n - step) % n;
+      way += distance(s[at].x, s[next].x);
+      at = next;
+    }
+    normals[forward] = s[at].cloud_normal;
+  }
+  return angle_between(normals[0], normals[1]) > edge_turn;
+}
+
+// `most`: the ball may touch so far from X.
+void set_radii(double usual, double spacing, const std::vector<double>& most, BorderLoop& loop) {
+  double sharpest_angle = pi;
+  for (const Strand& s : loop.strands) sharpest_angle = std::min(sharpest_angle, s.angle);
+  std::vector<double> radius;
+  for (const Strand& s : loop.strands) {
+    const double least = least_setback * spacing / reach_per_radius(s),
+                 wanted = widened(usual, loop.widening, s.angle, sharpest_angle);
+    radius.push_back(
+        near_edge(loop, radius.size(), edge_reach * spacing) ? least : std::max(wanted, least));
+  }
+  radius = smoothed(radius, parts_of(loop), window_per_radius * usual, loop.closed);
+  for (std::size_t i = 0; i < radius.size(); ++i) {
+    Strand& s = loop.strands[i];
+    s.radius = std::min(radius[i], most[i] / reach_per_radius(s));
+  }
+}
+
 void require_room(double room, double wanted, double spacing, const Isolines& isolines) {
   if (room >= wanted) return;
   throw NoResultError("the collar is wider than the face it runs on: from the intersection to " +
@@ -119,30 +166,26 @@ Setbacks choose_setbacks(const BlendOptions& options, const CloudSide& cloud) {
 
 void set_lengths(const Isolines& isolines, const Setbacks& setbacks, double spacing,
                  std::span<const Vec3> others, BorderLoop& loop) {
-  const std::size_t n = loop.strands.size();
-  std::vector<double> length(n), most(n);
-  std::vector<Neighbor> scratch;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Strand& s = loop.strands[i];
-    most[i] = room(isolines, s) - room_to_start * spacing;
-    if (setbacks.radius > 0)
-      length[i] = std::max(setbacks.radius / std::tan(s.angle / 2), least_setback * spacing);
-    else
-      length[i] = setbacks.height;
-    require_room(most[i], setbacks.radius > 0 ? least_possible * spacing : length[i], spacing,
-                 isolines);
-    length[i] = std::min(length[i], most[i]);
+  const double least =
+      setbacks.radius > 0 ? least_possible * spacing : std::max(setbacks.height, 0.0);
+  std::vector<double> most;
+  for (const Strand& s : loop.strands) {
+    most.push_back(room(isolines, s) - room_to_start * spacing);
+    require_room(most.back(), least, spacing, isolines);
   }
   if (others.size() > 1) {
     const CurveDistance gap(others, false);
-    for (std::size_t i = 0; i < n; ++i)
-      length[i] = std::min(length[i], gap.nearest(loop.strands[i].x, scratch).distance / 2);
+    std::vector<Neighbor> scratch;
+    for (std::size_t i = 0; i < most.size(); ++i)
+      most[i] = std::min(most[i], gap.nearest(loop.strands[i].x, scratch).distance / 2);
   }
-  if (setbacks.radius > 0)
-    length = smoothed(length, parts_of(loop), window_per_radius * setbacks.radius, loop.closed);
-  for (std::size_t i = 0; i < n; ++i) {
-    loop.strands[i].height = std::min(length[i], most[i]);
-    loop.strands[i].width = setbacks.radius > 0 ? length[i] : setbacks.width;
+  if (setbacks.radius > 0) {
+    set_radii(setbacks.radius, spacing, most, loop);
+    return;
+  }
+  for (std::size_t i = 0; i < most.size(); ++i) {
+    loop.strands[i].height = std::min(setbacks.height, most[i]);
+    loop.strands[i].width = setbacks.width;
   }
 }
 

@@ -23,12 +23,13 @@ struct Setbacks {
 /// What the options say, with every 0 replaced.
 Setbacks choose_setbacks(const BlendOptions& options, const CloudSide& cloud);
 
-/// Height and width of every strand. A ball of the radius that touches both sides touches them at
-/// R cot(angle / 2) from X; at least 2.5 spacings, at most what the face offers before its start
-/// and half of the gap to another border (thesis §5.4.2.6 asks for more room in close curves).
-/// Lengths are smoothed along X over six radii to both sides. others: points of the other
+/// What sets the size of the collar at every strand: the radius of the ball, or height and width. A
+/// ball of radius R touches both sides at R cot(angle / 2) from X, so that acute angles get more
+/// room by themselves (thesis §5.4.2.6 asks for it in close curves); where that is less than 2.5
+/// spacings the ball is larger, and where the face before its start or half of the gap to another
+/// border is less, it is smaller. Radii are smoothed along X. others: points of the other
 /// intersections. Throws NoResultError if the face is too short for the least collar, or for the
-/// one asked for.
+/// height asked for.
 void set_lengths(const Isolines& isolines, const Setbacks& setbacks, double spacing,
                  std::span<const Vec3> others, BorderLoop& loop);
 

@@ -24,20 +24,25 @@ struct Strand {
   Vec3 toward_cloud;    // in the cloud, across X, to the side that stays
   double angle = pi;    // [rad] of the free space between these two
 
-  // How far the collar reaches, in the units of the points.
+  // The ball that touches both sides, and how far from X the collar reaches along the face and
+  // along the cloud. In the units of the points.
+  double radius = 0;  // 0: height and width are given
   double height = 0, width = 0;
 
   // Its borders: alpha on the face, beta on the cloud.
   double alpha_at = 0;  // parameter along the line
   Vec3 alpha, alpha_normal;
   Vec3 beta, beta_normal;
+  // From there into the collar, in the tangent planes: how its cubic begins and ends.
+  Vec3 alpha_handle, beta_handle;
 };
 
 /// The strands of one start, in the order of their lines.
 struct BorderLoop {
   std::vector<Strand> strands;
   bool closed = false;
-  int side = 1;  // the cloud stays where the face's normal points (1) or against it (-1)
+  int side = 1;         // the cloud stays where the face's normal points (1) or against it (-1)
+  double widening = 0;  // of the ball beside acute corners
 };
 
 }  // namespace spigolo

@@ -52,6 +52,19 @@ class ParitySets {
     return true;
   }
 
+  /// Makes every path one step long: from here on until the next join, root() tells what find()
+  /// does, to any number of threads at once.
+  void flatten() {
+    for (std::size_t x = 0; x < parent_.size(); ++x) {  // what is above x is smaller: flat already
+      const std::uint32_t above = parent_[x];
+      if (above == x) continue;
+      parity_[x] ^= parity_[above];
+      parent_[x] = parent_[above];
+    }
+  }
+
+  Root root(std::uint32_t x) const { return {parent_[x], parity_[x]}; }
+
  private:
   std::vector<std::uint32_t> parent_;
   std::vector<std::uint8_t> parity_;

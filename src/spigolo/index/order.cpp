@@ -5,25 +5,19 @@
 #include "spigolo/index/order.h"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include "spigolo/core/error.h"
 #include "spigolo/core/parallel.h"
+#include "spigolo/index/radix_sort.h"
 
 namespace spigolo {
 namespace {
 
 constexpr std::size_t grain = 1 << 15;
 constexpr int bits_per_axis = 21;
-
-struct Key {
-  std::uint64_t code;
-  std::uint32_t index;
-};
 
 // Two zero bits between the bits of a 21-bit number.
 std::uint64_t spread_bits(std::uint64_t v) {
@@ -57,51 +51,101 @@ class Curve {
   double scale_ = 0;
 };
 
-// Least significant digit first, 11 bits at a time: stable, and linear in the number of keys.
-void radix_sort(std::vector<Key>& keys) {
-  constexpr int digit_bits = 11;
-  constexpr std::size_t digits = std::size_t{1} << digit_bits;
-  std::vector<Key> other(keys.size());
-  for (int shift = 0; shift < 3 * bits_per_axis; shift += digit_bits) {
-    std::array<std::size_t, digits> start{};
-    for (const Key& key : keys) ++start[key.code >> shift & (digits - 1)];
-    std::size_t sum = 0;
-    for (std::size_t& s : start) sum += std::exchange(s, sum);
-    for (const Key& key : keys) other[start[key.code >> shift & (digits - 1)]++] = key;
-    keys.swap(other);
+Box finite_box(std::span<const Vec3> points, const Job& job) {
+  const auto boxes = parallel_collect<Box>(
+      job, points.size(), grain, [&](std::size_t begin, std::size_t end, auto& found) {
+        found.push_back(bounding_box(points.subspan(begin, end - begin)));
+      });
+  Box all;
+  for (const Box& box : boxes) {
+    if (box.empty()) continue;
+    all.add(box.min);
+    all.add(box.max);
   }
+  return all;
 }
 
-// Points that share a cell of the curve, by their coordinates.
-void sort_within_cells(std::vector<Key>& keys, std::span<const Vec3> points) {
-  const auto coordinates = [&](const Key& key) {
-    const Vec3& p = points[key.index];
-    return std::tuple(p.x, p.y, p.z);
+// Sorts each run of keys that are alike in the sorted bits: by what is left of the code, then by
+// the coordinates; copies of a place in the order of the input.
+void sort_runs(std::vector<CodeKey>& keys, std::span<const Vec3> points, int sorted_from,
+               const Job& job) {
+  const auto before = [&](const CodeKey& a, const CodeKey& b) {
+    if (a.code != b.code) return a.code < b.code;
+    const Vec3 &p = points[a.index], &q = points[b.index];
+    return std::tuple(p.x, p.y, p.z, a.index) < std::tuple(q.x, q.y, q.z, b.index);
   };
-  for (std::size_t begin = 0; begin < keys.size();) {
-    std::size_t end = begin + 1;
-    while (end < keys.size() && keys[end].code == keys[begin].code) ++end;
-    if (end - begin > 1)
-      std::sort(keys.begin() + static_cast<std::ptrdiff_t>(begin),
-                keys.begin() + static_cast<std::ptrdiff_t>(end),
-                [&](const Key& a, const Key& b) { return coordinates(a) < coordinates(b); });
-    begin = end;
-  }
+  const auto run_of = [&](std::size_t i) { return keys[i].code >> sorted_from; };
+  // A run belongs to the range it begins in.
+  std::vector<std::size_t> first((keys.size() + grain - 1) / grain + 1, keys.size());
+  parallel_for(job, "", keys.size(), grain, [&](std::size_t begin, std::size_t) {
+    std::size_t i = begin;
+    while (i > 0 && i < keys.size() && run_of(i) == run_of(i - 1)) ++i;
+    first[begin / grain] = i;
+  });
+  parallel_for(job, "", keys.size(), grain, [&](std::size_t begin, std::size_t) {
+    const std::size_t end = first[begin / grain + 1];
+    for (std::size_t i = first[begin / grain]; i < end;) {
+      const std::size_t start = i++;
+      while (i < end && run_of(i) == run_of(start)) ++i;
+      if (i - start > 1)
+        std::sort(keys.begin() + static_cast<std::ptrdiff_t>(start),
+                  keys.begin() + static_cast<std::ptrdiff_t>(i), before);
+    }
+  });
 }
 
-std::vector<Key> sorted_keys(std::span<const Vec3> points, const Job& job) {
-  std::vector<std::uint32_t> finite;
-  finite.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (is_finite(points[i])) finite.push_back(static_cast<std::uint32_t>(i));
-  const Curve curve(bounding_box(points));
-  std::vector<Key> keys(finite.size());
-  parallel_for(job, "order", keys.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) keys[i] = {curve.code(points[finite[i]]), finite[i]};
+// The upper half of the bits tells most points of a surface apart. Where it does not, as in clumps
+// far from each other, the whole code is sorted by.
+void sort_keys(std::vector<CodeKey>& keys, std::span<const Vec3> points, const Job& job) {
+  constexpr int digits = 3 * bits_per_axis / radix_digit_bits + 1, upper_digits = digits / 2;
+  constexpr int lowest = 3 * bits_per_axis - upper_digits * radix_digit_bits;
+  radix_sort(keys, lowest, upper_digits, job);
+  const std::size_t alike = parallel_count(job, keys.size(), grain, [&](std::size_t i) {
+    return i > 0 && keys[i].code >> lowest == keys[i - 1].code >> lowest;
   });
-  radix_sort(keys);
-  sort_within_cells(keys, points);
+  const bool enough = alike <= keys.size() / 2;
+  if (!enough) radix_sort(keys, 0, digits, job);
+  sort_runs(keys, points, enough ? lowest : 0, job);
+}
+
+std::vector<CodeKey> sorted_keys(std::span<const Vec3> points, const Box& box, const Job& job) {
+  const Curve curve(box);
+  std::vector<CodeKey> keys = parallel_collect<CodeKey>(
+      job, points.size(), grain, [&](std::size_t begin, std::size_t end, auto& found) {
+        found.reserve(end - begin);
+        for (std::size_t i = begin; i < end; ++i)
+          if (is_finite(points[i]))
+            found.push_back({curve.code(points[i]), static_cast<std::uint32_t>(i)});
+      });
+  sort_keys(keys, points, job);
   return keys;
+}
+
+// Writes the places the keys name, repeated ones once.
+void place_points(std::span<const Vec3> points, std::span<const CodeKey> keys, OrderedCloud& cloud,
+                  const Job& job) {
+  const auto is_new = [&](std::size_t i) {
+    return i == 0 || keys[i].code != keys[i - 1].code ||
+           !(points[keys[i].index] == points[keys[i - 1].index]);
+  };
+  std::vector<std::size_t> first((keys.size() + grain - 1) / grain);  // place of each range's first
+  parallel_for(job, "", keys.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) first[begin / grain] += is_new(i);
+  });
+  std::size_t places = 0;
+  for (std::size_t& f : first) places += std::exchange(f, places);
+  cloud.points.resize(places);
+  cloud.codes.resize(places);
+  parallel_for(job, "order", keys.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::size_t place = first[begin / grain];
+    for (std::size_t i = begin; i < end; ++i) {
+      if (is_new(i)) {
+        cloud.points[place] = points[keys[i].index] - cloud.origin;
+        cloud.codes[place++] = keys[i].code;
+      }
+      cloud.rank[keys[i].index] = static_cast<std::uint32_t>(place - 1);
+    }
+  });
 }
 
 }  // namespace
@@ -112,22 +156,11 @@ OrderedCloud order_cloud(std::span<const Vec3> points, const Job& job) {
         "a cloud of " + std::to_string(points.size()) +
         " points is beyond the 4 294 967 294 that one run can hold; cut it into tiles");
   OrderedCloud cloud;
-  const Box box = bounding_box(points);
+  const Box box = finite_box(points, job);
   cloud.origin = box.empty() ? Vec3{} : box.center();
   cloud.rank.assign(points.size(), no_point);
-  const std::vector<Key> keys = sorted_keys(points, job);
-  cloud.points.reserve(keys.size());
-  cloud.codes.reserve(keys.size());
-  const Vec3* last = nullptr;
-  for (const Key& key : keys) {
-    const Vec3& p = points[key.index];
-    if (!last || !(*last == p)) {
-      cloud.points.push_back(p - cloud.origin);
-      cloud.codes.push_back(key.code);
-    }
-    last = &p;
-    cloud.rank[key.index] = static_cast<std::uint32_t>(cloud.points.size() - 1);
-  }
+  const std::vector<CodeKey> keys = sorted_keys(points, box, job);
+  place_points(points, keys, cloud, job);
   cloud.non_finite = points.size() - keys.size();
   cloud.duplicates = keys.size() - cloud.points.size();
   return cloud;

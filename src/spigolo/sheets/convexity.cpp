@@ -8,47 +8,22 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
-#include "spigolo/core/parity_sets.h"
+#include "spigolo/core/parallel.h"
 #include "spigolo/index/order.h"
+#include "spigolo/sheets/sheet_links.h"
 
 namespace spigolo {
 namespace {
 
-constexpr std::size_t linked = 8;          // neighbors each point is linked to
 constexpr std::size_t linked_across = 16;  // of an edge point, to reach both of its sheets
-constexpr double same_sheet = 0.9;         // cosine of normals on one sheet, side by side
+constexpr std::size_t grain = 1 << 16;     // points whose areas are summed up together
 constexpr double near_sheet = 0.35;        // [spacings] height over each other's sheets
 constexpr double off_crease = 0.35;        // [spacings] points nearer may be on either sheet
 constexpr double closes = 0.12;            // a closed surface has no sum of normals by area
 constexpr std::size_t least_piece = 30;    // points
-
-struct Link {
-  std::uint32_t a, b;
-  std::uint8_t differ;
-};
-
-// Links in order of trust: nearly equal normals first.
-using Links = std::array<std::vector<Link>, 3>;
-
-Vec3 own_normal(const SheetCloud& cloud, std::size_t i) {
-  return cloud.sheets[i].fitted() ? normal_at(cloud.sheets[i], cloud.points[i]) : Vec3{};
-}
-
-void link_along_sheets(const SheetCloud& cloud, std::span<const Vec3> normal, double near,
-                       Links& links) {
-  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    const auto row = cloud.neighborhoods.of(i);
-    for (const std::uint32_t j : row.first(std::min(linked, row.size()))) {
-      const double cosine = dot(normal[i], normal[j]), size = std::abs(cosine);
-      if (size < same_sheet || std::abs(height(cloud.sheets[i], cloud.points[j])) > near ||
-          std::abs(height(cloud.sheets[j], cloud.points[i])) > near)
-        continue;
-      links[size > 0.999 ? 0 : size > 0.98 ? 1 : 2].push_back({i, j, cosine < 0});
-    }
-  }
-}
 
 bool has_sides(const SheetVerdict& v) {
   return v.kind == PointKind::edge && !(v.into[0] == Vec3{}) && !(v.into[1] == Vec3{});
@@ -80,7 +55,7 @@ std::array<SideVote, 2> ask_sides(const SheetCloud& cloud, std::span<const Vec3>
     const double on_a = dot(off, edge.into[0]), on_b = dot(off, edge.into[1]);
     const std::size_t side = on_a > on_b ? 0 : 1;
     const double cosine = dot(normal[j], pair[side]);
-    if (std::max(on_a, on_b) < off_crease || std::abs(cosine) < same_sheet) continue;
+    if (std::max(on_a, on_b) < off_crease || std::abs(cosine) < one_sheet_cosine) continue;
     const ParitySets::Root root = sets.find(j);
     votes[side].push_back({root.set, static_cast<std::uint8_t>(root.parity ^ (cosine < 0))});
   }
@@ -99,10 +74,10 @@ std::array<SideVote, 2> ask_sides(const SheetCloud& cloud, std::span<const Vec3>
 
 // Joins what lies on the two sides of each crease, the pairs that most edges agree on first.
 void join_over_creases(const SheetCloud& cloud, std::span<const Vec3> normal,
-                       std::span<const SheetVerdict> verdicts, ParitySets& sets) {
+                       std::span<const SheetVerdict> verdicts, std::span<const std::uint32_t> edges,
+                       ParitySets& sets) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::array<int, 2>> votes;
-  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    if (!has_sides(verdicts[i])) continue;
+  for (const std::uint32_t i : edges) {
     const auto [a, b] = ask_sides(cloud, normal, verdicts[i], i, sets);
     if (a.set == no_point || b.set == no_point || a.set == b.set) continue;
     ++votes[std::minmax(a.set, b.set)][a.differ ^ b.differ];
@@ -133,10 +108,45 @@ int outward(const Piece& piece) {
   return piece.volume > 0 ? 1 : -1;
 }
 
+using Pieces = std::unordered_map<std::uint32_t, Piece>;  // by the root of their set
+
+// Sums over stretches of the canonical order, added up in that order.
+Pieces measure_pieces(const SheetCloud& cloud, std::span<const Vec3> normal,
+                      const ParitySets& flat_sets, const Job& job) {
+  const auto stretches = parallel_collect<Pieces>(
+      job, cloud.size(), grain, [&](std::size_t begin, std::size_t end, auto& found) {
+        Pieces& pieces = found.emplace_back();
+        for (std::size_t i = begin; i < end; ++i) {
+          if (normal[i] == Vec3{}) continue;
+          const ParitySets::Root root = flat_sets.root(static_cast<std::uint32_t>(i));
+          const double area = cloud.spacing.of_point[i] * cloud.spacing.of_point[i];
+          const Vec3 turned = root.parity ? -normal[i] : normal[i];
+          Piece& piece = pieces[root.set];
+          piece.sum += turned * area;
+          piece.volume += dot(turned, cloud.points[i]) * area;
+          piece.area += area;
+          ++piece.points;
+        }
+      });
+  Pieces all;
+  for (const Pieces& stretch : stretches) {
+    for (const auto& [root, part] : stretch) {
+      Piece& piece = all[root];
+      piece.sum += part.sum;
+      piece.volume += part.volume;
+      piece.area += part.area;
+      piece.points += part.points;
+    }
+  }
+  return all;
+}
+
 // Corners take what all edges beside them agree on.
-void settle_corners(const SheetCloud& cloud, std::vector<SheetVerdict>& verdicts) {
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (verdicts[i].kind != PointKind::corner) continue;
+void settle_corners(const SheetCloud& cloud, std::vector<SheetVerdict>& verdicts, const Job& job) {
+  const auto corners = parallel_select(job, cloud.size(), grain, [&](std::size_t i) {
+    return verdicts[i].kind == PointKind::corner;
+  });
+  for (const std::uint32_t i : corners) {
     int convex = 0, concave = 0;
     for (const std::uint32_t j : cloud.neighborhoods.of(i)) {
       if (verdicts[j].kind != PointKind::edge) continue;
@@ -152,42 +162,26 @@ void settle_corners(const SheetCloud& cloud, std::vector<SheetVerdict>& verdicts
 
 void note_convexity(const SheetCloud& cloud, const SheetTolerances& tolerances,
                     std::vector<SheetVerdict>& verdicts, const Job& job) {
-  if (std::none_of(verdicts.begin(), verdicts.end(), has_sides)) return;
-  const std::size_t n = cloud.size();
-  std::vector<Vec3> normal(n);
-  for (std::size_t i = 0; i < n; ++i) normal[i] = own_normal(cloud, i);
-  Links links;
-  link_along_sheets(cloud, normal, std::max(near_sheet, 3 * tolerances.noise), links);
-  job.check();
-  ParitySets sets(n);
-  for (const std::vector<Link>& level : links)
-    for (const Link& link : level) sets.join(link.a, link.b, link.differ);
-  join_over_creases(cloud, normal, verdicts, sets);
-
-  std::vector<Piece> pieces(n);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    if (normal[i] == Vec3{}) continue;
-    const ParitySets::Root root = sets.find(i);
-    const double area = cloud.spacing.of_point[i] * cloud.spacing.of_point[i];
-    const Vec3 turned = root.parity ? -normal[i] : normal[i];
-    Piece& piece = pieces[root.set];
-    piece.sum += turned * area;
-    piece.volume += dot(turned, cloud.points[i]) * area;
-    piece.area += area;
-    ++piece.points;
-  }
-  for (std::uint32_t i = 0; i < n; ++i) {
+  const auto edges = parallel_select(job, cloud.size(), grain,
+                                     [&](std::size_t i) { return has_sides(verdicts[i]); });
+  if (edges.empty()) return;
+  const std::vector<Vec3> normal = own_normals(cloud, job);
+  const double near = std::max(near_sheet, 3 * tolerances.noise);
+  ParitySets sets = link_along_sheets(cloud, normal, near, job);
+  join_over_creases(cloud, normal, verdicts, edges, sets);
+  sets.flatten();
+  const Pieces pieces = measure_pieces(cloud, normal, sets, job);
+  for (const std::uint32_t i : edges) {
     SheetVerdict& edge = verdicts[i];
-    if (!has_sides(edge)) continue;
     const auto sides = ask_sides(cloud, normal, edge, i, sets);
     const SideVote& known = sides[0].set != no_point ? sides[0] : sides[1];
     if (known.set == no_point) continue;
-    const int side = outward(pieces[known.set]) * (known.differ ? -1 : 1);
+    const int side = outward(pieces.at(known.set)) * (known.differ ? -1 : 1);
     const std::array<Vec3, 2> pair = paired_normals(edge);
     const int bends = dot(pair[0], edge.into[1]) < 0 ? 1 : -1;  // away from the first normal
     edge.convex = static_cast<std::int8_t>(side * bends);
   }
-  settle_corners(cloud, verdicts);
+  settle_corners(cloud, verdicts, job);
 }
 
 }  // namespace spigolo

@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "spigolo/core/parallel.h"
+
 namespace spigolo {
 namespace {
 
@@ -18,6 +20,7 @@ constexpr double aligned = 0.94;    // cosine, of a crease with the line between
 constexpr double alike = 0.35;      // [rad] the two angles from flat may differ
 constexpr double fill_trust = 0.9;  // of the strength of the two
 constexpr std::size_t asked = 20;   // neighbors
+constexpr std::size_t grain = 4096;
 
 std::optional<SheetVerdict> between(const SheetVerdict& a, const SheetVerdict& b, const Vec3& p,
                                     double spacing) {
@@ -40,34 +43,50 @@ std::optional<SheetVerdict> between(const SheetVerdict& a, const SheetVerdict& b
   return filled;
 }
 
+// The closest crease between two of these edges that passes p, unless another edge is closer to it.
+std::optional<SheetVerdict> filled_between(std::span<const Vec3> points, const Vec3& p,
+                                           std::span<const std::uint32_t> edges,
+                                           std::span<const SheetVerdict> verdicts, double spacing) {
+  std::optional<SheetVerdict> best;
+  for (std::size_t a = 0; a < edges.size(); ++a) {
+    for (std::size_t b = a + 1; b < edges.size(); ++b) {
+      const auto found = between(verdicts[edges[a]], verdicts[edges[b]], p, spacing);
+      if (!found) continue;
+      const double away = distance(found->crease_point, p);
+      const bool taken = std::any_of(edges.begin(), edges.end(), [&](std::uint32_t j) {
+        return distance(points[j], found->crease_point) < away;
+      });
+      if (!taken && (!best || away < distance(best->crease_point, p))) best = found;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 void fill_gaps(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-               const Spacing& spacing, std::vector<SheetVerdict>& verdicts) {
-  std::vector<std::pair<std::uint32_t, SheetVerdict>> filled;
-  std::vector<std::uint32_t> edges;
-  for (std::uint32_t i = 0; i < verdicts.size(); ++i) {
-    if (verdicts[i].kind != PointKind::surface) continue;
-    edges.clear();
-    const auto row = neighborhoods.of(i);
-    for (const std::uint32_t j : row.first(std::min(asked, row.size())))
-      if (verdicts[j].kind == PointKind::edge) edges.push_back(j);
-    std::optional<SheetVerdict> best;
-    for (std::size_t a = 0; a < edges.size(); ++a) {
-      for (std::size_t b = a + 1; b < edges.size(); ++b) {
-        const auto found =
-            between(verdicts[edges[a]], verdicts[edges[b]], points[i], spacing.of_point[i]);
-        if (!found) continue;
-        const double away = distance(found->crease_point, points[i]);
-        const bool taken = std::any_of(edges.begin(), edges.end(), [&](std::uint32_t j) {
-          return distance(points[j], found->crease_point) < away;
-        });
-        if (!taken && (!best || away < distance(best->crease_point, points[i]))) best = found;
-      }
+               const Spacing& spacing, std::vector<SheetVerdict>& verdicts, const Job& job) {
+  using Filled = std::pair<std::uint32_t, SheetVerdict>;
+  // Looked up twenty times a point: apart from the verdicts they stay in the cache.
+  std::vector<PointKind> kind(points.size());
+  parallel_for(job, "", points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) kind[i] = verdicts[i].kind;
+  });
+  const auto look = [&](std::size_t begin, std::size_t end, std::vector<Filled>& filled) {
+    std::vector<std::uint32_t> edges;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (kind[i] != PointKind::surface) continue;
+      edges.clear();
+      const auto row = neighborhoods.of(i);
+      for (const std::uint32_t j : row.first(std::min(asked, row.size())))
+        if (kind[j] == PointKind::edge) edges.push_back(j);
+      if (edges.size() < 2) continue;
+      const auto best = filled_between(points, points[i], edges, verdicts, spacing.of_point[i]);
+      if (best) filled.emplace_back(static_cast<std::uint32_t>(i), *best);
     }
-    if (best) filled.emplace_back(i, *best);
-  }
-  for (const auto& [i, verdict] : filled) verdicts[i] = verdict;
+  };
+  for (const auto& [i, verdict] : parallel_collect<Filled>(job, points.size(), grain, look))
+    verdicts[i] = verdict;
 }
 
 }  // namespace spigolo

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "spigolo/core/job.h"
 #include "spigolo/index/neighborhoods.h"
 #include "spigolo/index/spacing.h"
 #include "spigolo/sheets/verdict.h"
@@ -18,6 +19,6 @@ namespace spigolo {
 /// of the point, and no edge point is nearer to that place. (The thesis's adaptation only removes.)
 /// All from one snapshot.
 void fill_gaps(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-               const Spacing& spacing, std::vector<SheetVerdict>& verdicts);
+               const Spacing& spacing, std::vector<SheetVerdict>& verdicts, const Job& job = {});
 
 }  // namespace spigolo

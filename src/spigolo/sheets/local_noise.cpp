@@ -60,6 +60,32 @@ std::vector<double> estimate_local_noise(const SheetCloud& cloud, const Job& job
   return second;
 }
 
+bool is_quiet(const SheetCloud& cloud, const Job& job) {
+  // A quantile is below a limit if enough values are, so flags do for values. `low` of
+  // noise_levels is never below `exact`.
+  constexpr double limit = uneven * exact * quartile_bias * (1 - 1e-9);
+  std::vector<char> flag(cloud.size()), next(cloud.size());
+  parallel_for(job, "", cloud.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      flag[i] = cloud.sheets[i].whole && cloud.sheets[i].deviation < limit;
+  });
+  for (const double share : {quartile, 0.5}) {
+    parallel_for(job, "", cloud.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto row = cloud.neighborhoods.of(i);
+        const auto near = row.first(std::min(asked, row.size()));
+        int quiet = flag[i];
+        for (const std::uint32_t j : near) quiet += flag[j];
+        next[i] = quiet > static_cast<int>(share * static_cast<double>(near.size()));
+      }
+    });
+    flag.swap(next);
+  }
+  const std::size_t quiet =
+      parallel_count(job, flag.size(), grain, [&](std::size_t i) { return flag[i] != 0; });
+  return static_cast<double>(quiet) > (1 - tenth) * static_cast<double>(flag.size());
+}
+
 std::vector<double> noise_levels(const std::vector<double>& local, double of_cloud) {
   std::vector<double> sorted;
   for (const double noise : local)

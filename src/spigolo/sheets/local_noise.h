@@ -20,6 +20,10 @@ std::vector<double> estimate_local_noise(const SheetCloud& cloud, const Job& job
 /// `of_cloud`, where it differs by less than a factor of about three or is too small to matter.
 std::vector<double> noise_levels(const std::vector<double>& local, double of_cloud);
 
+/// Whether noise_levels would find one level only, as far as that shows at a glance: nearly all
+/// points have so little noise that it may count as none. false may mean either.
+bool is_quiet(const SheetCloud& cloud, const Job& job = {});
+
 /// Which of the levels (at least one, ascending) is nearest to a noise, by ratio.
 std::size_t nearest_level(const std::vector<double>& levels, double noise);
 

@@ -63,8 +63,8 @@ void judge_all(SheetModel& model, const SheetOptions& options, const Job& job) {
     refine_creases(model, options, job);
     agree(last_votes);
   }
-  clean_verdicts(points, p.neighborhoods, p.spacing, exact ? 0 : noise, model.verdicts);
-  if (exact) fill_gaps(points, p.neighborhoods, p.spacing, model.verdicts);
+  clean_verdicts(points, p.neighborhoods, p.spacing, exact ? 0 : noise, model.verdicts, job);
+  if (exact) fill_gaps(points, p.neighborhoods, p.spacing, model.verdicts, job);
 }
 
 void find_sheets(SheetModel& model, double noise, const Job& job) {
@@ -105,14 +105,17 @@ SheetModel build_sheet_model(PreparedCloud prepared, const SheetOptions& options
     const PreparedCloud& p = model.prepared;
     return {p.cloud.points, p.neighborhoods, p.spacing, model.own};
   };
-  const std::vector<double> local = estimate_local_noise(cloud(), job);
-  const std::vector<double> levels = noise_levels(local, model.prepared.noise);
+  std::vector<double> local, levels(1, model.prepared.noise);
+  if (!is_quiet(cloud(), job)) {
+    local = estimate_local_noise(cloud(), job);
+    levels = noise_levels(local, model.prepared.noise);
+  }
   if (levels.size() == 1)
     judge_all(model, options, job);
   else
     judge_by_levels(model, local, levels, options, job);
-  find_tips(cloud(), model.tolerances, model.verdicts);
-  rate_verdicts(cloud(), model.tolerances, model.verdicts);
+  find_tips(cloud(), model.tolerances, model.verdicts, job);
+  rate_verdicts(cloud(), model.tolerances, model.verdicts, job);
   note_convexity(cloud(), model.tolerances, model.verdicts, job);
   return model;
 }

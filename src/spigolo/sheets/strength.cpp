@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spigolo/core/parallel.h"
+
 namespace spigolo {
 namespace {
 
+constexpr std::size_t grain = 4096;
 constexpr std::size_t asked = 16;    // neighbors
 constexpr double most_alike = 6;     // of them count
 constexpr double clear_angle = 1.2;  // [rad] from flat; more adds nothing
@@ -28,10 +31,11 @@ double log_odds(double noise, double away, double angle, double alike, bool corn
 }  // namespace
 
 void rate_verdicts(const SheetCloud& cloud, const SheetTolerances& tolerances,
-                   std::vector<SheetVerdict>& verdicts) {
-  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+                   std::vector<SheetVerdict>& verdicts, const Job& job) {
+  const auto marked = parallel_select(job, verdicts.size(), grain,
+                                      [&](std::size_t i) { return sharp(verdicts[i]); });
+  for (const std::uint32_t i : marked) {
     SheetVerdict& verdict = verdicts[i];
-    if (!sharp(verdict)) continue;
     const auto row = cloud.neighborhoods.of(i);
     const auto near = row.first(std::min(asked, row.size()));
     const auto alike = static_cast<double>(std::count_if(

@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-
 #include <optional>
+#include <utility>
 
+#include "spigolo/core/parallel.h"
 #include "spigolo/core/symmetric3.h"
 
 namespace spigolo {
@@ -26,6 +27,7 @@ constexpr double least_fan = 0.02;  // smallest eigenvalue of the normals' scatt
 constexpr double twin_angle = radians(6), twin_noise = radians(60);  // [rad], per spacing of noise
 constexpr double most_twins = 0.14;  // share of the others that a normal of a fan has within 6 deg
 constexpr std::size_t least_points = 12;
+constexpr std::size_t grain = 1024;
 
 // Meeting point of the tangent planes at these places, by least squares.
 struct Meeting {
@@ -139,21 +141,39 @@ bool feigned(const SheetVerdict& verdict, const Tip& tip, double spacing) {
          norm(off) < 2 * spacing;
 }
 
+// All tips, found anew from every point that may be near one, the first one of each place.
+std::vector<Tip> distinct_tips(const SheetCloud& cloud, const SheetTolerances& tolerances,
+                               const Job& job) {
+  struct Found {
+    std::uint32_t from;
+    Tip tip;
+  };
+  const auto found = parallel_collect<Found>(job, cloud.size(), grain,
+                                             [&](std::size_t begin, std::size_t end, auto& here) {
+                                               for (std::size_t i = begin; i < end; ++i) {
+                                                 if (cloud.sheets[i].whole) continue;
+                                                 const auto from = static_cast<std::uint32_t>(i);
+                                                 if (auto tip = find_tip(cloud, from, tolerances))
+                                                   here.push_back({from, std::move(*tip)});
+                                               }
+                                             });
+  std::vector<Tip> tips;
+  for (const Found& f : found) {
+    const double s = cloud.spacing.of_point[f.from];
+    const bool known = std::any_of(tips.begin(), tips.end(), [&](const Tip& tip) {
+      return distance(tip.point, cloud.points[f.from]) < 2 * first_reach * s;
+    });
+    if (!known) tips.push_back(f.tip);
+  }
+  return tips;
+}
+
 }  // namespace
 
 void find_tips(const SheetCloud& cloud, const SheetTolerances& tolerances,
-               std::vector<SheetVerdict>& verdicts) {
+               std::vector<SheetVerdict>& verdicts, const Job& job) {
   if (tolerances.noise > most_noise) return;
-  std::vector<Tip> tips;
-  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    if (cloud.sheets[i].whole) continue;
-    const double s = cloud.spacing.of_point[i];
-    const bool known = std::any_of(tips.begin(), tips.end(), [&](const Tip& tip) {
-      return distance(tip.point, cloud.points[i]) < 2 * first_reach * s;
-    });
-    if (known) continue;
-    if (auto tip = find_tip(cloud, i, tolerances)) tips.push_back(std::move(*tip));
-  }
+  const std::vector<Tip> tips = distinct_tips(cloud, tolerances, job);
   for (const Tip& tip : tips) {
     const std::uint32_t nearest =
         *std::min_element(tip.around.begin(), tip.around.end(), [&](auto a, auto b) {

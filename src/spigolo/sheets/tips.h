@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "spigolo/core/job.h"
 #include "spigolo/sheets/own_sheet.h"
 #include "spigolo/sheets/sheet_cloud.h"
 #include "spigolo/sheets/verdict.h"
@@ -18,6 +19,6 @@ namespace spigolo {
 /// to it go. deviation: 180 degrees less the opening angle. Not looked for where noise hides the
 /// fan (0.15 spacings and more).
 void find_tips(const SheetCloud& cloud, const SheetTolerances& tolerances,
-               std::vector<SheetVerdict>& verdicts);
+               std::vector<SheetVerdict>& verdicts, const Job& job = {});
 
 }  // namespace spigolo

@@ -15,7 +15,7 @@
 namespace spigolo {
 namespace {
 
-constexpr std::size_t grain = 64;
+constexpr std::size_t grain = 64, clean_grain = 4096;
 constexpr double reach = 0.66;       // [spacings] a crease this close passes the point
 constexpr double carry_reach = 0.9;  // [spacings] or this close, if no other point is closer
 constexpr double carry_beside = 0.8, carry_slack = 0.1;  // [spacings] along and across the edge
@@ -198,21 +198,22 @@ std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
 }
 
 void clean_verdicts(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-                    const Spacing& spacing, double noise, std::vector<SheetVerdict>& verdicts) {
+                    const Spacing& spacing, double noise, std::vector<SheetVerdict>& verdicts,
+                    const Job& job) {
   const double length = shadow_length - shadow_loss * noise;
-  std::vector<std::uint32_t> wrong;
-  for (std::uint32_t i = 0; i < verdicts.size(); ++i) {
-    if (verdicts[i].kind == PointKind::surface) continue;
+  const auto is_wrong = [&](std::size_t i) {
+    if (verdicts[i].kind == PointKind::surface) return false;
     const auto row = neighborhoods.of(i);
     const auto near = row.first(std::min(border_neighbors, row.size()));
     const auto like = std::count_if(near.begin(), near.end(), [&](std::uint32_t j) {
       return sharp(verdicts[i]) ? sharp(verdicts[j]) : verdicts[j].kind == PointKind::border;
     });
-    if (like < (sharp(verdicts[i]) ? 1 : 2) ||
-        overshadowed(points, near, verdicts, i, spacing.of_point[i], length))
-      wrong.push_back(i);
-  }
-  for (const std::uint32_t i : wrong) verdicts[i] = {};
+    return like < (sharp(verdicts[i]) ? 1 : 2) ||
+           overshadowed(points, near, verdicts, static_cast<std::uint32_t>(i), spacing.of_point[i],
+                        length);
+  };
+  for (const std::uint32_t i : parallel_select(job, verdicts.size(), clean_grain, is_wrong))
+    verdicts[i] = {};
 }
 
 }  // namespace spigolo

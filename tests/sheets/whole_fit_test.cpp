@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <string>
@@ -13,6 +14,8 @@
 
 #include "spigolo/core/random.h"
 #include "spigolo/index/prepared_cloud.h"
+#include "spigolo/sheets/consensus.h"
+#include "spigolo/sheets/heights.h"
 #include "spigolo/sheets/verdict.h"
 #include "spigolo/synth/synth.h"
 
@@ -99,6 +102,64 @@ TEST(WholeFit, PointsThatFillACube) {
   for (int i = 0; i < 1000; ++i)
     points.push_back({double(i % 10), double(i / 10 % 10), double(i / 100)});
   expect_same_as_alone(points, 26);  // scatter without a smallest axis
+}
+
+TEST(Heights, SameAsOneByOne) {
+  const std::vector<Vec3> points = shape("cylinders", Sampling::random, 0.1);
+  const std::span<const Vec3> all = points;
+  for (std::size_t n = 1; n < 40; ++n) {
+    const auto around = all.subspan(17 * n, n + 12);
+    const Sheet sheet = fit_sheet(around, {}, 0.05, SheetOrder::quadric);
+    std::vector<double> at_once(around.size());
+    heights(sheet, around, at_once.data());
+    for (std::size_t t = 0; t < around.size(); ++t)
+      ASSERT_TRUE(same_bits(at_once[t], height(sheet, around[t]))) << n << " " << t;
+  }
+}
+
+// The plane of all pairs, one after the other.
+Vec3 plane_one_by_one(std::span<const Vec3> points, double tolerance) {
+  const std::size_t step = std::max<std::size_t>(1, (points.size() - 1) / 20);
+  Vec3 best_normal;
+  double best = -1;
+  for (std::size_t i = 1; i < points.size(); i += step) {
+    const Vec3 a = points[i] - points[0];
+    for (std::size_t j = i + step; j < points.size(); j += step) {
+      const Vec3 b = points[j] - points[0], n = cross(a, b);
+      const double area = norm(n);
+      if (area * area < 0.25 * 0.25 * squared_norm(a) * squared_norm(b)) continue;
+      double agreement = 0;
+      for (const Vec3& p : points) {
+        const double off = dot(n / (area * tolerance), p - points[0]);
+        agreement += std::max(0.0, 1 - off * off);
+      }
+      if (agreement > best) best = agreement, best_normal = n / area;
+    }
+  }
+  return best_normal;
+}
+
+TEST(Consensus, SameAsOneByOne) {
+  for (const double noise : {0.0, 0.3}) {
+    const PreparedCloud p = prepare_cloud(shape("box", Sampling::random, noise), 96);
+    for (const std::size_t k : {8u, 20u, 41u, 96u}) {
+      for (std::size_t i = 0; i < p.cloud.size(); i += 7) {
+        std::vector<Vec3> around(1, p.cloud.points[i]);
+        for (const std::uint32_t j : p.neighborhoods.of(i).first(k))
+          around.push_back(p.cloud.points[j]);
+        const double tolerance = 0.2 * p.spacing.of_point[i];
+        ASSERT_TRUE(
+            same_bits(consensus_plane(around, tolerance), plane_one_by_one(around, tolerance)))
+            << k << " " << i;
+      }
+    }
+  }
+}
+
+TEST(Consensus, NoPlaneThroughNeedles) {
+  std::vector<Vec3> line;
+  for (int i = 0; i < 21; ++i) line.push_back({i * 1.0, 1e-3 * (i % 2), 0});
+  EXPECT_EQ(consensus_plane(line, 0.1), Vec3{});
 }
 
 // judge_points spares most points the search for further sheets; no verdict may hang on that.

@@ -89,21 +89,31 @@ std::size_t select(const GroupCandidates& c, std::size_t query, std::size_t want
 }
 
 // The place of a distance in the sorted list is the number of smaller ones (of equal ones, those
-// before it): no branch to mispredict.
+// before it): no branch to mispredict. A vector of them at a time is held against each.
 void rank(const double* distance, std::size_t n, std::size_t wanted, std::uint32_t* out) {
   const hn::ScalableTag<double> d;
+  const hn::RebindToSigned<decltype(d)> di;
   const std::size_t lanes = hn::Lanes(d);
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto mine = hn::Set(d, distance[i]);
-    std::size_t smaller = 0, j = 0;
-    for (; j + lanes <= i; j += lanes)
-      smaller += hn::CountTrue(d, hn::Le(hn::LoadU(d, distance + j), mine));
-    for (const std::size_t end = std::min(n, j + lanes); j < end; ++j)
-      smaller += distance[j] < distance[i] || (distance[j] == distance[i] && j < i);
-    for (; j + lanes <= n; j += lanes)
-      smaller += hn::CountTrue(d, hn::Lt(hn::LoadU(d, distance + j), mine));
-    for (; j < n; ++j) smaller += distance[j] < distance[i];
-    if (smaller < wanted) out[smaller] = static_cast<std::uint32_t>(i);
+  HWY_ALIGN std::int64_t place[hn::MaxLanes(di)];
+  for (std::size_t begin = 0; begin < n; begin += lanes) {
+    const std::size_t here = std::min(lanes, n - begin);
+    const auto mine = hn::MaskedLoad(hn::FirstN(d, here), d, distance + begin);
+    auto smaller = hn::Zero(di);
+    const auto count = [&](auto mask) HWY_ATTR {
+      smaller = hn::Sub(smaller, hn::VecFromMask(di, hn::RebindMask(di, mask)));
+    };
+    std::size_t j = 0;
+    for (; j < begin; ++j) count(hn::Le(hn::Set(d, distance[j]), mine));
+    for (; j < begin + here; ++j) {
+      const auto other = hn::Set(d, distance[j]);
+      const auto behind = hn::Not(hn::FirstN(d, j - begin + 1));
+      count(hn::Or(hn::Lt(other, mine), hn::And(hn::Eq(other, mine), behind)));
+    }
+    for (; j < n; ++j) count(hn::Lt(hn::Set(d, distance[j]), mine));
+    hn::Store(smaller, di, place);
+    for (std::size_t l = 0; l < here; ++l)
+      if (static_cast<std::size_t>(place[l]) < wanted)
+        out[place[l]] = static_cast<std::uint32_t>(begin + l);
   }
 }
 

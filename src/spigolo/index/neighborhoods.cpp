@@ -16,8 +16,9 @@ namespace spigolo {
 namespace {
 
 constexpr std::uint32_t group_size = 16;      // queries that share their candidates
+constexpr double first_reach = 1.3;           // of the first k-th neighbor that is known
 constexpr std::size_t max_candidates = 1500;  // more are no longer cheaper than single searches
-constexpr std::size_t grain = 64;             // groups handed to a thread at a time
+constexpr std::size_t grain = 128;            // groups handed to a thread at a time
 
 struct Group {
   std::uint32_t node, begin, end;
@@ -47,7 +48,8 @@ class Searcher {
   // Candidates within reach_ of the group's box are enough for a query whose k-th neighbor is no
   // farther than reach_; a query that needs more is searched by itself, and reach_ learns from it.
   void search(const Group& group) {
-    const bool gathered = reach_ > 0 && gather(group);
+    if (reach_ == 0) last_ = alone(group.begin), reach_ = first_reach * last_;
+    const bool gathered = gather(group);
     double farthest = 0, nearest = infinity;
     float threshold = gathered ? static_cast<float>(last_ * last_ * scale_ * scale_) : 0.0f;
     for (std::uint32_t q = group.begin; q < group.end; ++q) {

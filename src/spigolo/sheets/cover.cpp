@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spigolo/sheets/heights.h"
+
 namespace spigolo {
 namespace {
 
@@ -18,24 +20,24 @@ constexpr double good_floor = 0.06, good_fit = 1.5;  // the same, of a sheet's r
 // How well a sheet fits, with all that differs by rounding alike: no verdict may hang on that.
 double fit_of(const Sheet& sheet) { return std::max(sheet.deviation, rounding); }
 
-PointSet points_on(const Sheet& sheet, std::span<const Vec3> points,
-                   std::span<const std::uint32_t> members, double limit) {
+PointSet points_on(const Sheet& sheet, std::span<const Vec3> around, double limit) {
+  std::array<double, max_cover_points> off;
+  heights(sheet, around, off.data());
   PointSet on;
-  for (std::size_t m = 0; m < members.size(); ++m)
-    on[m] = std::abs(height(sheet, points[members[m]])) < limit;
+  for (std::size_t m = 0; m < around.size(); ++m) on[m] = std::abs(off[m]) < limit;
   return on;
 }
 
 // Close to a crease a sheet may hold a point of the next one. Of the sheets of the neighbors on it,
 // the one that fits best and explains nearly the same points takes its place.
-void take_best_fits(std::span<const Vec3> points, std::span<const Sheet> sheets,
+void take_best_fits(std::span<const Vec3> around, std::span<const Sheet> sheets,
                     std::span<const std::uint32_t> members, double limit, SheetCover& cover) {
   for (std::size_t c = 0; c < cover.count; ++c) {
     const PointSet mine = cover.on[c];
     for (std::size_t m = 0; m < members.size(); ++m) {
       const Sheet& sheet = sheets[members[m]];
       if (!mine[m] || !sheet.fitted() || fit_of(sheet) >= fit_of(*cover.sheet[c])) continue;
-      const PointSet on = points_on(sheet, points, members, limit);
+      const PointSet on = points_on(sheet, around, limit);
       if ((on & mine).count() * 10 < mine.count() * 8) continue;
       cover.sheet[c] = &sheet;
       cover.on[c] = on;
@@ -62,6 +64,9 @@ SheetCover cover_neighborhood(std::span<const Vec3> points, std::span<const Shee
   SheetCover cover;
   const double limit = on_limit(tolerances);
   const double good = std::max(good_floor, good_fit * tolerances.noise);
+  std::array<Vec3, max_cover_points> place;
+  for (std::size_t m = 0; m < members.size(); ++m) place[m] = points[members[m]];
+  const std::span<const Vec3> around(place.data(), members.size());
   PointSet left;
   for (std::size_t m = 0; m < members.size(); ++m) left.set(m);
   const auto add = [&](const Sheet& sheet, const PointSet& on) {
@@ -70,7 +75,7 @@ SheetCover cover_neighborhood(std::span<const Vec3> points, std::span<const Shee
     left &= ~on;
   };
   const Sheet& own = sheets[members[0]];
-  if (own.fitted()) add(own, points_on(own, points, members, limit));
+  if (own.fitted()) add(own, points_on(own, around, limit));
   while (cover.count > 0 && cover.count < SheetCover::most && left.any()) {
     std::size_t best_gain = 0;
     const Sheet* best = nullptr;
@@ -78,7 +83,7 @@ SheetCover cover_neighborhood(std::span<const Vec3> points, std::span<const Shee
     for (std::size_t m = 1; m < members.size(); ++m) {
       const Sheet& sheet = sheets[members[m]];
       if (!left[m] || !sheet.fitted() || sheet.deviation > good) continue;
-      const PointSet on = points_on(sheet, points, members, limit);
+      const PointSet on = points_on(sheet, around, limit);
       const std::size_t gain = (on & left).count();
       if (gain < best_gain || (gain == best_gain && best && fit_of(sheet) >= fit_of(*best)))
         continue;
@@ -88,7 +93,7 @@ SheetCover cover_neighborhood(std::span<const Vec3> points, std::span<const Shee
     add(*best, best_on);
   }
   cover.unexplained = left.count();
-  if (tolerances.exact() && cover.count > 1) take_best_fits(points, sheets, members, limit, cover);
+  if (tolerances.exact() && cover.count > 1) take_best_fits(around, sheets, members, limit, cover);
   return cover;
 }
 

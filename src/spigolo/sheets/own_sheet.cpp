@@ -10,14 +10,14 @@
 #include <utility>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/sheets/consensus.h"
+#include "spigolo/sheets/heights.h"
 #include "spigolo/sheets/whole_fit.h"
 
 namespace spigolo {
 namespace {
 
 constexpr std::size_t grain = 64;
-constexpr std::size_t hypothesis_points = 20;  // neighbors that planes are put through
-constexpr double needle_sine = 0.25;           // planes through thinner triangles say little
 constexpr int growth_rounds = 5;
 // Room for rounding and for what a quadric cannot follow, in spacings.
 constexpr double smooth_floor = 0.01, plane_floor = 0.1, sheet_floor = 0.06;
@@ -30,41 +30,15 @@ constexpr double mostly_lines = 0.4;                       // share of points on
 constexpr std::size_t lines_k = 48, lines_asked = 40;
 constexpr double wide = 2.5;  // standard deviations that hold nearly all points
 
-// Plane through points[0] (its unit normal) that the neighbors agree with best: each counts the
-// more the closer it lies, none beyond the tolerance. The zero vector if all triangles are needles.
-Vec3 consensus_plane(std::span<const Vec3> points, double tolerance) {
-  const std::size_t step = std::max<std::size_t>(1, (points.size() - 1) / hypothesis_points);
-  Vec3 best_normal;
-  double best = -1;
-  for (std::size_t i = 1; i < points.size(); i += step) {
-    const Vec3 a = points[i] - points[0];
-    for (std::size_t j = i + step; j < points.size(); j += step) {
-      const Vec3 b = points[j] - points[0], n = cross(a, b);
-      const double area = norm(n);
-      if (area * area < needle_sine * needle_sine * squared_norm(a) * squared_norm(b)) continue;
-      const Vec3 scaled = n / (area * tolerance);
-      double agreement = 0;
-      for (const Vec3& p : points) {
-        const double off = dot(scaled, p - points[0]);
-        agreement += std::max(0.0, 1 - off * off);
-      }
-      if (agreement > best) {
-        best = agreement;
-        best_normal = n / area;
-      }
-    }
-  }
-  return best_normal;
-}
-
 // Points of another sheet that happen to lie close to this one, just over a crease, bend it a
 // little: fit again without what lies far off for the scatter of the others.
 Sheet tighten(std::span<const Vec3> points, Sheet sheet, double spacing, std::vector<char>& on) {
   std::array<double, most_points> off, sorted;
   for (int round = 0; round < tighten_rounds; ++round) {
     std::size_t n = 0;
+    heights(sheet, points, off.data());
     for (std::size_t t = 0; t < points.size(); ++t) {
-      off[t] = std::abs(height(sheet, points[t]));
+      off[t] = std::abs(off[t]);
       if (on[t]) sorted[n++] = off[t];
     }
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(n / 2);
@@ -87,6 +61,7 @@ Sheet tighten(std::span<const Vec3> points, Sheet sheet, double spacing, std::ve
 // Fit, take in all points on the fit, fit again until nothing changes.
 Sheet grow(std::span<const Vec3> points, double spacing, const SheetTolerances& tolerances,
            std::vector<char>& on) {
+  std::array<double, most_points> off;
   Sheet sheet;
   for (int round = 0; round < growth_rounds; ++round) {
     const SheetOrder order = round == 0 ? SheetOrder::plane : SheetOrder::quadric;
@@ -94,9 +69,10 @@ Sheet grow(std::span<const Vec3> points, double spacing, const SheetTolerances& 
     if (!sheet.fitted()) return sheet;
     const bool curved = round > 0 && sheet.support >= quadric_points;
     const double limit = curved ? tolerances.on_sheet() : tolerances.plane();
+    heights(sheet, points, off.data());
     bool changed = false;
     for (std::size_t t = 1; t < points.size(); ++t) {  // the point itself stays on its sheet
-      const char is_on = std::abs(height(sheet, points[t])) < limit;
+      const char is_on = std::abs(off[t]) < limit;
       changed |= is_on != std::exchange(on[t], is_on);
     }
     if (round >= 2 && !changed) break;

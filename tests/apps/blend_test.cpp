@@ -192,6 +192,30 @@ TEST_F(BlendVerb, badInputsEachWithTheirOwnMessage) {
   expect_failure(4, "do not meet", {cloud, away, "--start", "v1", "-o", out});
   expect_failure(4, "wider than the face",
                  {cloud, tube, "--height", "40", "--width", "3", "-o", out});
+  const std::string low = step("low.step", {{nurbs_tube({{20.5, 20.5, 33}, ez}, 8, 9), {}}});
+  expect_failure(4, "wider than the face", {cloud, low, "--start", "v1", "-o", out});
+  const std::string u =
+      step("u.step", {{nurbs_u_tube({{15.5, 20.5, 36}, ez}, {1, 0, 0}, 4, 14, 10), {}}});
+  expect_failure(4, "overlap",
+                 {cloud, u, "--start", "v=0.5+", "--start", "v=0.5-", "--height", "3", "--width",
+                  "3", "-o", out});
+  const std::string flat = step("flat.step", {{nurbs_sheet(10, 10, 4,
+                                                           [](double x, double) {
+                                                             return Vec3{x, 0, 0};
+                                                           }),
+                                               {}}});
+  expect_failure(4, "no area", {cloud, flat, "-o", out});
+  const std::string fin = step("fin.step", {{nurbs_sheet(20, 20, 4,
+                                                         [](double x, double y) {
+                                                           return Vec3{20.5, x + 10.5, y + 33};
+                                                         }),
+                                             {}}});
+  expect_failure(4, "ends inside the cloud at (20.50, 10.50, 41.00)",
+                 {cloud, fin, "--start", "v1", "-o", out});
+  expect_failure(2, "not both",
+                 {cloud, tube, "--radius", "3", "--height", "3", "--width", "3", "-o", out});
+  expect_failure(2, "give both", {cloud, tube, "--height", "3", "-o", out});
+  expect_failure(3, "none.ply", {path("none.ply"), tube, "-o", out});
   expect_failure(2, "m.xyz", {cloud, tube, "--mesh", path("m.xyz"), "-o", out});
 }
 

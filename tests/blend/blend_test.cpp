@@ -266,6 +266,19 @@ void expect_refused(const NurbsFace& face, const BlendOptions& options, const st
   }
 }
 
+TEST(Blend, loopsThatDoNotCloseAreToldWhere) {
+  // A tilted tube of which one half ends above the cloud.
+  const Vec3 axis{0.5, 0, std::sqrt(0.75)};
+  expect_refused(face_of(nurbs_tube({{20, 20, 0}, axis}, 8, 20)), from({"v1"}),
+                 "it ends inside the cloud at (20.43, 12.01, 0.00) and at (20.43, 27.99",
+                 plane(41));
+  const NurbsFace tube = face_of(nurbs_tube({{20, 20, -8}, ez}, 8, 28));
+  // Two levels, with nothing between them.
+  std::vector<Vec3> levels;
+  for (const Vec3& p : plane(41)) levels.push_back(p.x < 20.5 ? p : p + ez * 7.0);
+  expect_refused(tube, from({"v1"}), "does not close: it jumps", levels);
+}
+
 TEST(Blend, saysWhatStandsInTheWay) {
   const NurbsFace away = face_of(nurbs_tube({{20.5, 20.5, 60}, ez}, 8, 20));
   expect_refused(away, from({"v1"}), "do not meet");
@@ -288,7 +301,17 @@ TEST(Blend, saysWhatStandsInTheWay) {
   const NurbsFace sheet = face_of(nurbs_sheet(20, 20, 4, [](double x, double y) {
     return Vec3{20, x + 10, y - 8};
   }));
-  expect_refused(sheet, from({"v1"}), "does not cut the cloud in two", plane(41));
+  expect_refused(sheet, from({"v1"}),
+                 "it ends inside the cloud at (20.00, 10.00, 0.00) and at (20.00, 30.00, 0.00)",
+                 plane(41));
+  expect_refused(sheet_across(), from({"v1"}), "the cloud goes round it", [] {
+    std::vector<Vec3> tube;  // which the sheet cuts open, but not in two
+    for (int i = 0; i < 120; ++i)
+      for (int j = 0; j <= 40; ++j)
+        tube.push_back({20 + 19 * std::cos(2 * pi * i / 120), double(j),
+                        -19 + 19 * std::sin(2 * pi * i / 120)});
+    return tube;
+  }());
 }
 
 }  // namespace

@@ -9,13 +9,15 @@
 
 #include "spigolo/blend/eliminate.h"
 #include "spigolo/blend/scatter.h"
+#include "spigolo/core/error.h"
 #include "spigolo/core/parallel.h"
 
 namespace spigolo {
 namespace {
 
-constexpr double oversampling = 6;      // candidates for each point that stays
-constexpr double least_distance = 0.5;  // [spacings] of a collar point from the kept cloud
+constexpr double most_candidates = 3e8;  // more are no blend but two different units
+constexpr double oversampling = 6;       // candidates for each point that stays
+constexpr double least_distance = 0.5;   // [spacings] of a collar point from the kept cloud
 constexpr std::size_t grain = 256;
 
 double between(double a, double b, double share) { return a + (b - a) * share; }
@@ -101,6 +103,14 @@ class CollarGrid {
   std::size_t columns_ = 1;
 };
 
+void require_moderate(const CellGrid& cells) {
+  const double candidates = static_cast<double>(cells.rows) * static_cast<double>(cells.columns);
+  if (candidates > most_candidates)
+    throw NoResultError(
+        "the part of the face that stays is far too large to be sampled as densely "
+        "as the cloud; are cloud and face in the same unit?");
+}
+
 struct Candidates {
   std::vector<FilledPoint> points;
   double area = 0;
@@ -111,6 +121,7 @@ void add_face(const TracedStart& t, std::uint32_t border, double spacing, Random
   const FaceGrid grid(t, spacing);
   double area = 0;
   const double density = oversampling / (spacing * spacing);
+  require_moderate(grid.cells());
   const std::vector<GridPlace> places = scatter(grid.cells(), density, random, area, job);
   std::vector<FilledPoint> points(places.size());
   std::vector<char> on_face(places.size());

@@ -22,7 +22,7 @@ constexpr double jump = 4;              // such a gap that stays is a jump
 constexpr double crossing_reach = 2.5;  // a crossing has samples within
 constexpr double exactness = 1e-6;
 constexpr int most_rounds = 8, most_bisections = 60;
-constexpr std::size_t most_steps = 1000000, grain = 4;
+constexpr std::size_t most_steps = 50000, grain = 4;
 
 // The signed distance along one line.
 class Walk {

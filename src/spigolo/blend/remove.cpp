@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <string>
 
 #include "spigolo/core/error.h"
 #include "spigolo/core/symmetric3.h"
@@ -22,6 +24,9 @@ constexpr double rim = 1.25;          // from X: farther out a sample of the ban
 constexpr double steep = 0.8;         // cosine of edge and normal: such an edge leaves the surface
 constexpr double says_little = 0.2;   // mean of cosines below which a direction decides nothing
 constexpr std::size_t normal_points = 12;
+// The cloud goes on beyond an end of X if a sample is there.
+constexpr double beyond_end = 4, at_hand = 1.75;
+constexpr std::size_t end_direction = 4;  // strands that tell which way it goes on
 
 enum class Zone : char { none, inner, middle, outer };
 
@@ -177,11 +182,52 @@ double agreement(const BorderLoop& loop, const Vec3& keep) {
   return sum / static_cast<double>(loop.strands.size());
 }
 
-[[noreturn]] void encloses_nothing() {
-  throw NoResultError(
-      "the intersection does not cut the cloud in two, so nothing is enclosed by the face: it must "
-      "be a closed loop, or run across the whole cloud; for a cloud open on one side say with "
-      "--keep which side stays");
+// In the coordinates of the input, to about a hundredth of the spacing.
+std::string place_text(const CloudSide& cloud, const Vec3& p) {
+  const Vec3 place = p + cloud.mls().origin();
+  const int digits =
+      std::clamp(2 - static_cast<int>(std::floor(std::log10(cloud.spacing()))), 0, 12);
+  const double unit = std::pow(10, -digits);
+  const auto rounded = [&](double x) { return std::round(x / unit) * unit + 0.0; };
+  std::array<char, 128> text{};
+  std::snprintf(text.data(), text.size(), "(%.*f, %.*f, %.*f)", digits, rounded(place.x), digits,
+                rounded(place.y), digits, rounded(place.z));
+  return text.data();
+}
+
+// Whether the cloud goes on beyond that end of an open loop.
+bool ends_inside(const CloudSide& cloud, const Vec3& end, const Vec3& before) {
+  std::vector<Neighbor> found;
+  const Vec3 beyond = end + normalized(end - before) * (beyond_end * cloud.spacing());
+  cloud.tree().nearest(beyond, 1, found);
+  return found.front().squared_distance < std::pow(at_hand * cloud.spacing(), 2);
+}
+
+// Where an open loop ends though the cloud goes on.
+std::vector<std::string> ends_inside(const CloudSide& cloud, const BorderLoop& loop) {
+  std::vector<std::string> places;
+  const std::vector<Strand>& s = loop.strands;
+  if (loop.closed || s.size() < 2) return places;
+  const std::size_t last = s.size() - 1, step = std::min(last, end_direction);
+  if (ends_inside(cloud, s[0].x, s[step].x)) places.push_back(place_text(cloud, s[0].x));
+  if (ends_inside(cloud, s[last].x, s[last - step].x))
+    places.push_back(place_text(cloud, s[last].x));
+  return places;
+}
+
+[[noreturn]] void encloses_nothing(const CloudSide& cloud, const BorderLoop& loop) {
+  const std::string start = "the intersection does not cut the cloud in two: ";
+  const std::vector<std::string> places = ends_inside(cloud, loop);
+  if (places.empty())
+    throw NoResultError(start + (loop.closed ? "it is closed" : "it runs from border to border") +
+                        ", but the cloud goes round it, as round a handle; cut the cloud into "
+                        "pieces that the face divides");
+  std::string where = places.front();
+  if (places.size() > 1) where += " and at " + places.back();
+  throw NoResultError(start + "it ends inside the cloud at " + where +
+                      ", and beyond that no side can stay and the other go; extend the face in "
+                      "the CAD program to where the cloud ends, fill the cloud if it has a hole "
+                      "there, or cut the cloud off");
 }
 
 }  // namespace
@@ -203,7 +249,7 @@ int choose_side(const CloudSide& cloud, const BorderLoop& loop, const std::optio
     if (!inner.done()) outer.step();
   }
   const Flood& smaller = inner.done() ? inner : outer;
-  if (smaller.came_round()) encloses_nothing();
+  if (smaller.came_round()) encloses_nothing(cloud, loop);
   return inner.done() ? loop.side : -loop.side;
 }
 
@@ -216,7 +262,7 @@ void remove_enclosed(const CloudSide& cloud, const BorderLoop& loop, std::vector
   const Band band(cloud, rim_of_collar);
   Flood flood(cloud, band, Zone::inner);
   while (!flood.done()) flood.step();
-  if (flood.came_round()) encloses_nothing();
+  if (flood.came_round()) encloses_nothing(cloud, loop);
   for (const std::uint32_t i : band.members())
     if (band.zone(i) == Zone::inner) removed[i] = 1;
   for (const std::uint32_t i : flood.reached()) removed[i] = 1;

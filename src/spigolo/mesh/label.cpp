@@ -20,11 +20,18 @@ constexpr std::size_t buckets = 8192;
 constexpr double per_bucket = 1.0 / 512;  // of openness
 constexpr double most_doubt = 1.0;        // neighbors less alike say nothing about each other
 constexpr double longest_neighbor = 2.5;  // [steps]
+constexpr int least_majority = 6;         // of votes in a part; smaller ones believe nothing
 
 // Two tetrahedra are on the same side (differ 0) or not (1).
 struct Statement {
   std::uint32_t a = no_index, b = no_index;
   std::uint8_t differ = 0;
+};
+
+// A tetrahedron beside a crease that lies where the normal of a sample looks, or on the other side.
+struct Space {
+  std::uint32_t tetrahedron, sample;
+  bool above;
 };
 
 struct Poles {
@@ -39,7 +46,8 @@ class Labeller {
         samples_(samples),
         sides_(sides),
         job_(job),
-        sets_(delaunay.tetrahedra().size()) {}
+        sets_(delaunay.tetrahedra().size()),
+        parts_(samples.size()) {}
 
   Labelling run() {
     find_poles();
@@ -47,7 +55,9 @@ class Labeller {
       if (p.up != no_index) state({p.up, p.down, 1});
     state_neighbors();
     state_facets();
-    return read_labels();
+    read_labels();
+    form_beliefs();
+    return std::move(result_);
   }
 
  private:
@@ -137,6 +147,9 @@ class Labeller {
       const std::uint32_t first = beside(segment, sides.into[0], around);
       const std::uint32_t second = beside(segment, sides.into[1], around);
       for (const std::uint32_t q : sides.shown_by) {
+        const bool above = dot(samples_.normal[q], sides.into[0]) > 0;
+        if (first != no_index) spaces_.push_back({first, q, above});
+        if (second != no_index) spaces_.push_back({second, q, !above});
         state({first, pole_towards(q, sides.into[0]), 0});
         state({second, pole_towards(q, sides.into[0]), 1});
       }
@@ -170,15 +183,45 @@ class Labeller {
   // Which way the samples look is settled; then it is stated, along the claims that agree.
   void state_neighbors() {
     std::vector<Claim> claims = find_claims();
-    const std::vector<std::uint8_t> sign = settle_by_majority(claims, samples_.size());
+    sign_ = settle_by_majority(claims, samples_.size());
     std::stable_sort(claims.begin(), claims.end(),
                      [](const Claim& x, const Claim& y) { return x.doubt < y.doubt; });
     for (const auto& [a, b, differ, doubt] : claims)
-      if ((sign[a] ^ sign[b]) == differ)
+      if ((sign_[a] ^ sign_[b]) == differ) {
+        parts_.join(a, b);
         state({poles_[a].up, poles_[b].up, differ});
-      else
+      } else {
         ++result_.contradictions;
+      }
     state_segments();
+  }
+
+  // Of each part of the samples, whether those with sign 0 have the inside above: by majority.
+  std::vector<int> inside_above() {
+    std::vector<int> votes(samples_.size(), 0);
+    for (std::uint32_t i = 0; i < samples_.size(); ++i)
+      if (poles_[i].up != no_index)
+        for (const std::uint8_t above :
+             {result_.inside[poles_[i].up],
+              static_cast<std::uint8_t>(1 ^ result_.inside[poles_[i].down])})
+          votes[parts_.find(i).set] += (above ^ sign_[i]) != 0 ? 1 : -1;
+    return votes;
+  }
+
+  void form_beliefs() {
+    const std::vector<int> votes = inside_above();
+    std::vector<std::uint8_t> above(samples_.size(), 2);  // 2: not known
+    for (std::uint32_t i = 0; i < samples_.size(); ++i) {
+      const int part = votes[parts_.find(i).set];
+      if (poles_[i].up == no_index || std::abs(part) < least_majority) continue;
+      above[i] = static_cast<std::uint8_t>(part > 0) ^ sign_[i];
+      result_.beliefs.push_back({poles_[i].up, above[i]});
+      result_.beliefs.push_back({poles_[i].down, static_cast<std::uint8_t>(1 ^ above[i])});
+    }
+    for (const auto& [space, sample, same_way] : spaces_)
+      if (above[sample] != 2)
+        result_.beliefs.push_back(
+            {space, static_cast<std::uint8_t>(above[sample] ^ (same_way ? 0 : 1))});
   }
 
   // Counting sort by openness: bucket, then tetrahedron.
@@ -207,7 +250,7 @@ class Labeller {
     }
   }
 
-  Labelling read_labels() {
+  void read_labels() {
     const auto tets = delaunay_.tetrahedra();
     result_.inside.assign(tets.size(), 0);
     std::uint32_t outside = 0;
@@ -217,7 +260,6 @@ class Labeller {
     const std::uint8_t parity = sets_.find(outside).parity;
     for (std::uint32_t t = 0; t < tets.size(); ++t)
       if (tets[t].alive()) result_.inside[t] = sets_.find(t).parity ^ parity;
-    return std::move(result_);
   }
 
   const Delaunay& delaunay_;
@@ -225,7 +267,10 @@ class Labeller {
   const CreaseSides& sides_;
   const Job& job_;
   ParitySets sets_;
-  std::vector<Poles> poles_;  // per sample; of those on creases empty
+  std::vector<Poles> poles_;        // per sample; of those on creases empty
+  std::vector<std::uint8_t> sign_;  // per sample: of equal signs, normals look to the same side
+  ParitySets parts_;                // of samples whose signs are related
+  std::vector<Space> spaces_;
   Labelling result_;
 };
 

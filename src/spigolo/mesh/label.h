@@ -14,8 +14,15 @@
 
 namespace spigolo {
 
+/// What a sample or a crease segment says about one tetrahedron.
+struct Belief {
+  std::uint32_t tetrahedron = 0;
+  std::uint8_t inside = 0;
+};
+
 struct Labelling {
   std::vector<std::uint8_t> inside;  // per slot of a tetrahedron
+  std::vector<Belief> beliefs;       // as most samples of a part have it; labels may differ
   std::size_t contradictions = 0;    // statements about the surface that could not all be true
 };
 

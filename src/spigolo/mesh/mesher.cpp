@@ -13,6 +13,7 @@
 #include "spigolo/mesh/delaunay.h"
 #include "spigolo/mesh/flips.h"
 #include "spigolo/mesh/label.h"
+#include "spigolo/mesh/recut.h"
 #include "spigolo/mesh/relabel.h"
 #include "spigolo/mesh/sides.h"
 #include "spigolo/mesh/trim.h"
@@ -155,6 +156,7 @@ SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
   result.seconds_tetrahedra = since(start) - result.seconds_samples;
   const CreaseSides sides = find_crease_sides(samples, surface, job);
   Labelling labels = label_tetrahedra(delaunay, samples, sides, job);
+  recut_labels(delaunay, samples, sides, labels, job);
   refine_labels(delaunay, samples, sides, labels, job);
   result.seconds_label = since(start) - result.seconds_tetrahedra - result.seconds_samples;
   read_surface(delaunay, samples, sides, labels, result);

@@ -221,7 +221,8 @@ class Relabeller {
   }
 
   bool untangle() {
-    const Labelling now{inside_, 0};
+    Labelling now;
+    now.inside = inside_;
     const std::vector<Triangle> triangles = boundary(delaunay_, now);
     const EdgeTable table = find_edges(samples_.size(), triangles);
     bool changed = false;

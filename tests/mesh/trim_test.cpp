@@ -10,6 +10,7 @@
 
 #include "spigolo/core/parity_sets.h"
 #include "spigolo/mesh/flips.h"
+#include "spigolo/mesh/separate.h"
 
 namespace spigolo {
 namespace {
@@ -64,11 +65,57 @@ TEST(Holes, TwoBallsAtOneVertexComeApart) {
   ASSERT_EQ(check_mesh(mesh).nonmanifold_vertices, 1U);
   const std::uint32_t beside = mesh.triangles.back()[1];
   std::vector<VertexPair> creases = {{1, mesh.triangles[1][1]}, {mesh.triangles.back()[0], beside}};
-  EXPECT_EQ(split_fans(mesh, creases), 1U);
+  EXPECT_EQ(separate(mesh, creases), 1U);
   const MeshCheck check = check_mesh(mesh, creases);
   EXPECT_TRUE(check.sound());
   EXPECT_EQ(check.components, 2U);
   EXPECT_EQ(check.crease_edges_kept, 2U);
+}
+
+// Two boxes that share an edge.
+TriangleMesh boxes_at_an_edge() {
+  TriangleMesh mesh;
+  const auto box = [&](const Vec3& low) {
+    const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (int i = 0; i < 8; ++i)
+      mesh.vertices.points.push_back(low + Vec3{double(i & 1), double(i >> 1 & 1), double(i >> 2)});
+    constexpr std::uint32_t quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& q : quads) {
+      mesh.triangles.push_back({base + q[0], base + q[1], base + q[2]});
+      mesh.triangles.push_back({base + q[0], base + q[2], base + q[3]});
+    }
+  };
+  box({0, 0, 0});
+  box({1, 1, 0});
+  // corners 3 and 7 of the first are corners 0 and 4 of the second
+  for (Triangle& t : mesh.triangles)
+    for (std::uint32_t& v : t) v = v == 8 ? 3 : v == 12 ? 7 : v;
+  return mesh;
+}
+
+TEST(Separate, BoxesAtAnEdgeBecomeTwo) {
+  TriangleMesh mesh = boxes_at_an_edge();
+  ASSERT_EQ(check_mesh(mesh).nonmanifold_edges, 1U);
+  std::vector<VertexPair> creases = {{3, 7}};
+  EXPECT_EQ(separate(mesh, creases), 2U);
+  const MeshCheck check = check_mesh(mesh, creases);
+  EXPECT_TRUE(check.closed() && check.sound());
+  EXPECT_EQ(check.components, 2U);
+  EXPECT_EQ(check.crease_edges_kept, 1U);
+  EXPECT_NEAR(check.volume, 2, 1e-12);
+}
+
+// Turned inside out, the two boxes are holes in a block: the inside around the edge hangs together.
+TEST(Separate, TheInsideDecides) {
+  TriangleMesh mesh = boxes_at_an_edge();
+  for (Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
+  std::vector<VertexPair> creases;
+  separate(mesh, creases);
+  const MeshCheck check = check_mesh(mesh);
+  EXPECT_TRUE(check.closed() && check.sound());
+  EXPECT_EQ(check.components, 1U);
+  EXPECT_NEAR(check.volume, -2, 1e-12);
 }
 
 TEST(Flips, ThinDiagonalsGoAndCreasesStay) {

@@ -5,7 +5,6 @@
 // the boundary of a polyhedron, 1995)
 #include <algorithm>
 
-#include "spigolo/core/parity_sets.h"
 #include "spigolo/mesh/trim.h"
 
 namespace spigolo {
@@ -92,33 +91,6 @@ class Filler {
 };
 
 }  // namespace
-
-std::size_t split_fans(TriangleMesh& mesh, std::vector<VertexPair>& creases) {
-  std::vector<Triangle>& triangles = mesh.triangles;
-  const EdgeTable table = find_edges(mesh.vertices.size(), triangles);
-  const std::vector<std::uint32_t> fans = find_fans(triangles, table);
-  const std::vector<Triangle> before = triangles;
-  const std::size_t old = mesh.vertices.size();
-  std::vector<std::uint32_t> owner(old, no_index), made(fans.size(), no_index);
-  for (std::uint32_t corner = 0; corner < made.size(); ++corner) {
-    const std::uint32_t fan = fans[corner], v = before[corner / 3][corner % 3];
-    if (owner[v] == no_index) owner[v] = fan;  // the first fan keeps the vertex
-    if (owner[v] == fan) continue;
-    if (made[fan] == no_index) {
-      made[fan] = static_cast<std::uint32_t>(mesh.vertices.size());
-      mesh.vertices.points.push_back(mesh.vertices.points[v]);
-    }
-    triangles[corner / 3][corner % 3] = made[fan];
-  }
-  if (mesh.vertices.size() == old) return 0;
-  for (auto& [a, b] : creases)
-    if (const MeshEdge* edge = table.find(a, b)) {
-      const std::uint32_t half = table.of(*edge)[0];
-      a = triangles[half / 3][half % 3];
-      b = triangles[half / 3][(half % 3 + 1) % 3];
-    }
-  return mesh.vertices.size() - old;
-}
 
 std::size_t fill_holes(std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
                        double largest, const Job& job) {

@@ -250,14 +250,19 @@ class Labeller {
     }
   }
 
+  // At the helpers: most of these are outside, all unless the surface is open.
+  bool endless(std::uint32_t t) const {
+    const auto& v = delaunay_.tetrahedra()[t].v;
+    return *std::min_element(v.begin(), v.end()) < Delaunay::helpers;
+  }
+
   void read_labels() {
     const auto tets = delaunay_.tetrahedra();
     result_.inside.assign(tets.size(), 0);
-    std::uint32_t outside = 0;
-    while (!tets[outside].alive() ||
-           *std::min_element(tets[outside].v.begin(), tets[outside].v.end()) >= Delaunay::helpers)
-      ++outside;
-    const std::uint8_t parity = sets_.find(outside).parity;
+    std::size_t count[2] = {0, 0};
+    for (std::uint32_t t = 0; t < tets.size(); ++t)
+      if (tets[t].alive() && endless(t)) ++count[sets_.find(t).parity];
+    const std::uint8_t parity = count[1] > count[0];
     for (std::uint32_t t = 0; t < tets.size(); ++t)
       if (tets[t].alive()) result_.inside[t] = sets_.find(t).parity ^ parity;
   }

@@ -15,6 +15,7 @@
 #include "spigolo/mesh/label.h"
 #include "spigolo/mesh/recut.h"
 #include "spigolo/mesh/relabel.h"
+#include "spigolo/mesh/separate.h"
 #include "spigolo/mesh/sides.h"
 #include "spigolo/mesh/trim.h"
 
@@ -86,11 +87,11 @@ void read_surface(const Delaunay& delaunay, const MeshSamples& samples, const Cr
 void finish(const MeshSamples& samples, const MesherOptions& options, SharpMesh& result,
             const Job& job) {
   TriangleMesh& mesh = result.mesh;
-  split_fans(mesh, result.creases);  // makes the loops around holes simple
+  separate(mesh, result.creases);  // makes the loops around holes simple
   const double largest = options.close ? infinity : options.largest_hole * samples.step;
   result.holes_filled = fill_holes(mesh.triangles, mesh.vertices.points, largest, job);
   const FlipReport flips = flip_edges(mesh.triangles, mesh.vertices.points, result.creases, job);
-  split_fans(mesh, result.creases);
+  separate(mesh, result.creases);
   result.check = check_connections(mesh, result.creases, job);
   result.check.self_intersections = flips.self_intersections;  // splitting moves nothing
 }
@@ -103,7 +104,7 @@ void take_faults_away(const MeshSamples& samples, const MesherOptions& options, 
   const std::size_t before = mesh.triangles.size();
   for (int round = 0; round < most_repairs && !result.check.sound(); ++round) {
     result.faults_taken += take_faults(mesh.triangles, mesh.vertices.points, job);
-    split_fans(mesh, result.creases);
+    separate(mesh, result.creases);
     if (round < closing_repairs)
       result.holes_filled += fill_holes(mesh.triangles, mesh.vertices.points,
                                         options.largest_hole * samples.step, job);

@@ -5,7 +5,9 @@
 #include "spigolo/mesh/recut.h"
 
 #include <algorithm>
+#include <unordered_map>
 
+#include "spigolo/core/parity_sets.h"
 #include "spigolo/mesh/min_cut.h"
 #include "spigolo/mesh/openness.h"
 
@@ -19,6 +21,9 @@ constexpr double price_of_area = 0.1;    // against 1 for a facet that is too st
 constexpr double price_of_belief = 1.5;  // about the area of a facet that is too steep
 constexpr double unit = 10000;           // prices are whole numbers of 1 / unit
 constexpr double dearest = 1000;         // no price is higher: their sums stay whole numbers
+constexpr double largest_leak = 8;       // [steps] across; wider ones may be openings
+constexpr double share_of_hull = 0.3;    // a flat sheet has half of its hull below
+constexpr double along_sheets = 0.35;    // price of an area; one square to the sheets costs 1.1
 constexpr int rings = 3;                 // around doubtful tetrahedra that may change
 
 class Recut {
@@ -32,6 +37,7 @@ class Recut {
         node_(tets_.size(), no_index) {}
 
   std::size_t run(const Job& job) {
+    close_leaks();
     find_region(job);
     if (count_ == 0) return 0;
     MinCut cut(count_);
@@ -72,13 +78,61 @@ class Recut {
     return true;
   }
 
-  double price(const Triangle& corners) const {
+  double area(const Triangle& corners) const {
     const Vec3 &a = samples_.position[corners[0]], &b = samples_.position[corners[1]],
                &c = samples_.position[corners[2]];
     const double length = samples_.length[corners[0]];
-    const double area = norm(cross(b - a, c - a)) / (2 * length * length);
+    return norm(cross(b - a, c - a)) / (2 * length * length);
+  }
+
+  double price(const Triangle& corners) const {
     const double steep = (openness_.tilt(corners) - flat_enough) / (too_steep - flat_enough);
-    return area * (price_of_area + std::clamp(steep, 0.0, 1.0));
+    return area(corners) * (price_of_area + std::clamp(steep, 0.0, 1.0));
+  }
+
+  // A part of the inside that reaches the helpers, and its share of the hull of all samples.
+  struct Leak {
+    Box box;
+    double area = 0, price = 0;
+  };
+
+  // Such parts are openings of the surface where they are wide. Small ones are mistakes, and so are
+  // those whose hull runs along the sheets, but for sheets that are all hull.
+  bool is_mistake(const Leak& leak, double hull) const {
+    return norm(leak.box.size()) <= largest_leak * samples_.step ||
+           (leak.area < share_of_hull * hull && leak.price < along_sheets * leak.area);
+  }
+
+  bool leaks(std::uint32_t t) const {
+    return t != no_index && tets_[t].alive() && labels_.inside[t] && at_helper(t);
+  }
+
+  void close_leaks() {
+    ParitySets parts(tets_.size());
+    for (std::uint32_t t = 0; t < tets_.size(); ++t)
+      if (leaks(t))
+        for (const std::uint32_t n : tets_[t].neighbor)
+          if (leaks(n)) parts.join(t, n);
+    std::vector<std::uint32_t> leaking;
+    std::unordered_map<std::uint32_t, Leak> found;
+    double hull = 0;
+    Triangle corners;
+    for (std::uint32_t t = 0; t < tets_.size(); ++t) {
+      if (!tets_[t].alive() || !at_helper(t)) continue;
+      if (leaks(t)) leaking.push_back(t);
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (!corners_of(t, i, corners)) continue;
+        const double a = area(corners);
+        hull += a;
+        if (!leaks(t)) continue;
+        Leak& leak = found[parts.find(t).set];
+        leak.area += a;
+        leak.price += price(corners);
+        for (const std::uint32_t v : corners) leak.box.add(samples_.position[v]);
+      }
+    }
+    for (const std::uint32_t t : leaking)
+      if (is_mistake(found[parts.find(t).set], hull)) labels_.inside[t] = 0;
   }
 
   // Doubtful tetrahedra and those around them; never the endless ones.

@@ -36,8 +36,4 @@ std::size_t fill_holes(std::vector<Triangle>& triangles, const std::vector<Vec3>
 std::size_t take_faults(std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
                         const Job& job = {});
 
-/// Gives each fan of triangles at a vertex a vertex of its own, at the same place: the mesh touches
-/// itself there but is manifold. Creases follow. Returns how many vertices were added.
-std::size_t split_fans(TriangleMesh& mesh, std::vector<VertexPair>& creases);
-
 }  // namespace spigolo

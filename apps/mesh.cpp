@@ -129,6 +129,8 @@ Json mesh_json(const MeshedCloud& meshed, const MeshCommand& c, const Json& para
   json["outliers"] = meshed.outliers;
   json["holes_filled"] = meshed.sharp.holes_filled;
   json["faults_taken"] = meshed.sharp.faults_taken;
+  json["parts"] = meshed.sharp.parts;
+  json["uncovered"] = meshed.sharp.uncovered;
   return json;
 }
 

@@ -21,7 +21,6 @@ struct Claim {
 /// the claims can have it: one wrong claim is outvoted wherever two parts touch along a line.
 /// Samples that no chain of claims joins have unrelated signs. claims name samples below `samples`,
 /// never one twice.
-std::vector<std::uint8_t> settle_by_majority(const std::vector<Claim>& claims,
-                                             std::size_t samples);
+std::vector<std::uint8_t> settle_by_majority(const std::vector<Claim>& claims, std::size_t samples);
 
 }  // namespace spigolo

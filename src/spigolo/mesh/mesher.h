@@ -30,6 +30,8 @@ struct SharpMesh {
   MeshCheck check;
   std::size_t holes_filled = 0;
   std::size_t faults_taken = 0;   // triangles taken away because the mesh failed its check there
+  std::size_t parts = 0;          // surfaces meshed apart, since one manifold could not hold them
+  std::size_t uncovered = 0;      // points of the cloud farther than two edges from the mesh
   std::size_t unused_points = 0;  // samples that are no vertex of the mesh
   double seconds_samples = 0, seconds_tetrahedra = 0, seconds_label = 0, seconds_total = 0;
 };

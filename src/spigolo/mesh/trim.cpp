@@ -34,6 +34,8 @@ void keep(std::vector<Triangle>& triangles, const std::vector<char>& kept) {
   triangles.resize(n);
 }
 
+}  // namespace
+
 void drop_scraps(std::vector<Triangle>& triangles, std::size_t vertices, std::size_t least) {
   ParitySets pieces = group(triangles, vertices, [](std::size_t) { return true; });
   std::vector<std::uint32_t> size(triangles.size(), 0);
@@ -42,8 +44,6 @@ void drop_scraps(std::vector<Triangle>& triangles, std::size_t vertices, std::si
   for (std::uint32_t t = 0; t < triangles.size(); ++t) kept[t] = size[pieces.find(t).set] >= least;
   keep(triangles, kept);
 }
-
-}  // namespace
 
 std::size_t trim_unsupported(std::vector<Triangle>& triangles, const MeshSamples& samples,
                              const Openness& openness, const TrimOptions& options) {

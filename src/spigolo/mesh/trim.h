@@ -25,6 +25,9 @@ struct TrimOptions {
 std::size_t trim_unsupported(std::vector<Triangle>& triangles, const MeshSamples& samples,
                              const Openness& openness, const TrimOptions& options);
 
+/// Takes away pieces, joined over edges, of fewer than `least` triangles.
+void drop_scraps(std::vector<Triangle>& triangles, std::size_t vertices, std::size_t least);
+
 /// Closes border loops not wider than `largest` (in units of the points, infinite: all) by the
 /// triangulation of least area, which adds no vertex. Loops that visit a vertex twice and those of
 /// more than 2000 edges stay. Returns how many were closed.

@@ -111,7 +111,11 @@ SurfacePoints on_sheets(const SharpSurface& surface, MeshedCloud& result, const 
                    if (foot.valid() && distance(foot.position, p) <= farthest) out.points[i] = foot;
                  }
                });
-  for (std::size_t i = 0; i < out.points.size(); ++i) result.outliers += is_lone(prepared, i);
+  for (std::size_t i = 0; i < out.points.size(); ++i)
+    if (is_lone(prepared, i))
+      ++result.outliers;
+    else if (!out.points[i].valid())
+      out.loose.push_back(prepared.cloud.points[i] + prepared.cloud.origin);
   out.disagreement = out.spacing * (disagreement + prepared.noise);
   out.continued = [&surface](std::uint32_t near, const Vec3& query) {
     return on_sheet(surface.model().own[near], query, surface.origin());
@@ -145,6 +149,11 @@ void warn(MeshedCloud& result) {
   say(result.non_finite, " points have a NaN or infinite coordinate; they are left out");
   say(result.outliers, " points lie far from all others; they are left out");
   const MeshCheck& check = result.sharp.check;
+  say(result.sharp.uncovered,
+      " points lie farther than two edges from the mesh; it leaves out a part of the cloud");
+  if (result.sharp.parts > 1)
+    result.warnings.push_back("the surface is not manifold: " + std::to_string(result.sharp.parts) +
+                              " parts that meet or touch are meshed apart");
   say(result.sharp.faults_taken,
       " triangles were taken away, since the surface would have run into itself there");
   say(check.nonmanifold_edges + check.nonmanifold_vertices, " places of the mesh are not manifold");

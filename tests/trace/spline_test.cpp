@@ -136,5 +136,24 @@ TEST(LocalCurve, reproducesAParabola) {
   EXPECT_NEAR(curve.place.z, 1 + 0.01 * 0.09, 1e-9);
 }
 
+// Uneven points off a line: halved spans once held none, and the spline left the points by far.
+TEST(Spline, staysAmongUnevenPoints) {
+  Random random(3);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Vec3> points;
+    double x = 0, length = 0;
+    for (int i = 0; i < 30; ++i) {
+      x += random.uniform() < 0.2 ? 3 : 0.1 + 0.4 * random.uniform();
+      points.push_back({x, 0.6 * random.uniform(), 0.6 * random.uniform()});
+      if (i > 0) length += distance(points[points.size() - 2], points.back());
+    }
+    const CurveSpline spline = fit_spline(points, false, 0.05);
+    for (double t = 0; t < last_parameter(spline); t += 0.1) {
+      const Vec3 p = value(spline, t);
+      ASSERT_LT(std::hypot(p.y, p.z), 5) << round;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace spigolo::test

@@ -16,18 +16,40 @@ namespace {
 
 constexpr double least_apart = 0.3;     // [spacings] places of a guide
 constexpr double doubtful_end = 10;     // [spacings] of a curve that may be wrong
+constexpr double least_left = 3;        // [spacings] of a curve that is cut back
+constexpr double short_cut = 6;         // [spacings] a curve that may cut off a corner
 constexpr double form_reach = 0.01;     // [spacings] by chance nothing is so near to a form
 constexpr double one_march = 0.8;       // [spacings] marches that come so near have met
 constexpr std::size_t least_chain = 3;  // places; shorter chains tell no direction
 
-// Where only two ends meet they may have strayed from one smooth curve: both are free again.
-void dissolve_pairs(std::vector<CurveDraft>& drafts) {
+// Of each junction: how many ends meet there.
+std::map<int, int> valences(std::span<const CurveDraft> drafts) {
   std::map<int, int> valence;
   for (const CurveDraft& draft : drafts)
     for (const int j : draft.junction) ++valence[j];
+  return valence;
+}
+
+// Short curves of which nothing is sure and that make no corner with two others: they cut off the
+// corner that their neighbors would meet in.
+void drop_short_cuts(std::vector<CurveDraft>& drafts, std::span<const CreaseSample> samples) {
+  const std::map<int, int> valence = valences(drafts);
+  std::erase_if(drafts, [&](const CurveDraft& draft) {
+    const auto meets_two = [&](int j) { return j != no_junction && valence.at(j) > 2; };
+    const bool alone = draft.junction[0] == no_junction && draft.junction[1] == no_junction;
+    return !alone && !draft.guide.closed && draft.guide.length() < short_cut &&
+           !meets_two(draft.junction[0]) && !meets_two(draft.junction[1]) &&
+           std::none_of(draft.members.begin(), draft.members.end(),
+                        [&](const Member& m) { return samples[m.sample].sure; });
+  });
+}
+
+// Where only two ends meet they may have strayed from one smooth curve: both are free again.
+void dissolve_pairs(std::vector<CurveDraft>& drafts) {
+  const std::map<int, int> valence = valences(drafts);
   for (CurveDraft& draft : drafts)
     for (int& j : draft.junction)
-      if (valence[j] <= 2) j = no_junction;
+      if (valence.at(j) <= 2) j = no_junction;
 }
 
 // Whether a place lies on the line or circle that a draft was recognised as.
@@ -49,6 +71,7 @@ void trim_free_ends(CurveDraft& draft, std::span<const CreaseSample> samples) {
     if (sure.front() - first < doubtful_end) first = sure.front();
     if (last - sure.back() < doubtful_end) last = sure.back();
   }
+  if (last - first < least_left) return;
   Guide& guide = draft.guide;
   std::vector<Vec3> places;
   if (draft.junction[0] == no_junction) places.push_back(guide.at(first));
@@ -100,6 +123,7 @@ void stop_at_earlier_marches(std::vector<std::vector<CreaseSample>>& found) {
 std::vector<CreaseSample> go_on(const Survey& survey, std::vector<CurveDraft>& drafts,
                                 std::span<const CreaseSample> samples, const Job& job) {
   std::vector<Chain> chains;
+  drop_short_cuts(drafts, samples);
   dissolve_pairs(drafts);
   for (CurveDraft& draft : drafts) {
     trim_free_ends(draft, samples);

@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::size_t degree = 3;
 constexpr std::size_t band = degree + 1;
-constexpr int most_rounds = 64;      // of adding knots
-constexpr std::size_t lead = 8;      // points a closed curve is fitted beyond its seam
-constexpr double stiffness = 1e-10;  // keeps spans with few points solvable
+constexpr int most_rounds = 64;     // of adding knots
+constexpr std::size_t lead = 8;     // points a closed curve is fitted beyond its seam
+constexpr double stiffness = 1e-6;  // keeps spans with few points solvable
 
 using Basis = std::array<double, band>;
 
@@ -139,19 +139,22 @@ CurveSpline solve(std::span<const Vec3> points, const std::vector<double>& t,
   return spline;
 }
 
-// Halves every span with a point farther off than tolerance, if it holds more than one.
+// Halves every span with a point farther off than tolerance, if each half holds two or more: with
+// fewer the spline swings between them.
 bool refine(std::span<const Vec3> points, const std::vector<double>& t, const CurveSpline& spline,
             double tolerance, std::vector<double>& inner) {
   std::vector<double> added;
   const std::size_t n = spline.poles.size();
   for (std::size_t i = 0; i < points.size();) {
     const std::size_t span = span_of(spline.knots, n, t[i]);
+    const double middle = (spline.knots[span] + spline.knots[span + 1]) / 2;
     double worst = 0;
-    std::size_t count = 0;
-    for (; i < points.size() && span_of(spline.knots, n, t[i]) == span; ++i, ++count)
+    std::array<std::size_t, 2> count{};
+    for (; i < points.size() && span_of(spline.knots, n, t[i]) == span; ++i) {
       worst = std::max(worst, distance(points[i], value(spline, t[i])));
-    if (worst > tolerance && count > 2)
-      added.push_back((spline.knots[span] + spline.knots[span + 1]) / 2);
+      ++count[t[i] < middle ? 0 : 1];
+    }
+    if (worst > tolerance && std::min(count[0], count[1]) >= 2) added.push_back(middle);
   }
   inner.insert(inner.end(), added.begin(), added.end());
   std::sort(inner.begin(), inner.end());

@@ -18,6 +18,7 @@ constexpr std::size_t asked = 20;    // neighbors
 constexpr std::size_t half_of = 16;  // neighbors that the flattest half is sought in
 constexpr double quartile = 0.25, quartile_bias = 0.85;  // lower one, and what it is of the noise
 constexpr double exact = 0.02;                           // [spacings] less noise is as good as none
+constexpr double constructed = 0.001;  // [spacings] no scanner's: elsewhere it is thin or tight pieces
 constexpr double uneven = 3;      // ratio of the noisiest tenth to the quietest
 constexpr double level_step = 2;  // ratio of neighboring levels
 constexpr double tenth = 0.1;
@@ -89,10 +90,11 @@ bool is_quiet(const SheetCloud& cloud, const Job& job) {
 std::vector<double> noise_levels(const std::vector<double>& local, double of_cloud) {
   std::vector<double> sorted;
   for (const double noise : local)
-    if (std::isfinite(noise)) sorted.push_back(std::max(noise, exact));
+    if (std::isfinite(noise)) sorted.push_back(noise);
   if (sorted.empty()) return {of_cloud};
-  const double low = quantile(sorted, tenth), high = quantile(sorted, 1 - tenth);
-  if (high < uneven * low) return {of_cloud};
+  const double quiet = quantile(sorted, tenth), loud = quantile(sorted, 1 - tenth);
+  const double low = std::max(quiet, exact), high = std::max(loud, exact);
+  if (quiet < constructed || high < uneven * low) return {of_cloud};
   std::vector<double> levels;
   for (double noise = low; noise < high * std::sqrt(level_step); noise *= level_step)
     levels.push_back(noise);

@@ -4,6 +4,8 @@
 // Pieces of surface too narrow for samples of their own: their two ends are edges.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "spigolo/detect/detect.h"
 #include "spigolo/synth/synth.h"
 
@@ -51,6 +53,47 @@ TEST(Narrow, BothEndsOfAChamferOfTwoRowsAreEdges) {
   const Features f = detect(points).features;
   expect_first_row_only(f, points, 0, 8);
   expect_first_row_only(f, points, 168, 8);
+}
+
+// A drill hole of twelve points around: its wall bends by 30 degrees from point to point, and
+// still only its rims are edges.
+TEST(Narrow, OfASmallHoleTheRimsAreEdgesAndTheWallIsNot) {
+  std::vector<Vec3> points;
+  const double radius = 2;
+  for (const double z : {0.0, 5.0})
+    for (int i = -8; i <= 8; ++i)
+      for (int j = -8; j <= 8; ++j) {
+        const Vec3 p{i + 0.3 * std::sin(3.0 * j), j + 0.3 * std::sin(5.0 * i), z};
+        if (std::hypot(p.x, p.y) > radius + 0.5) points.push_back(p);
+      }
+  const std::size_t wall = points.size();
+  for (int row = 0; row <= 5; ++row)
+    for (int i = 0; i < 12; ++i) {
+      const double turn = 2 * pi * (i + 0.5 * row) / 12;
+      points.push_back({radius * std::cos(turn), radius * std::sin(turn), row * 1.0});
+    }
+  const Features f = detect(points).features;
+  int rims = 0, inside = 0;
+  for (std::size_t i = wall; i < points.size(); ++i) {
+    const bool sharp = f.kind[i] == PointKind::edge || f.kind[i] == PointKind::corner;
+    (points[i].z == 0 || points[i].z == 5 ? rims : inside) += sharp;
+  }
+  EXPECT_GE(rims, 22);
+  EXPECT_LE(inside, 2);
+}
+
+// Where samples lie right on an edge, those beside it are not on it too.
+TEST(Narrow, SamplesOnTheEdgeLeaveNoneBesideIt) {
+  std::vector<Vec3> points;
+  add_rows(points, {0, 0, 0}, {1, 0, 0}, 1, 0);
+  add_rows(points, {0.5, 0, 0}, {1, 0, 0}, 8, 0.4);
+  add_rows(points, {0, 0, -0.5}, {0, 0, -1}, 8, 0.6);
+  const Features f = detect(points).features;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double away = std::hypot(points[i].x, points[i].z);
+    if (std::abs(points[i].y) > 7 || away > 5) continue;
+    EXPECT_EQ(f.kind[i] == PointKind::edge, away == 0) << away;
+  }
 }
 
 // Where samples are missing by chance the surface goes on; a thin wall's other side is no reason

@@ -16,6 +16,7 @@ constexpr std::size_t least_gain = 3;                // neighbors that a further
 constexpr double on_floor = 0.08, wide = 2.5;        // [spacings], [standard deviations]
 constexpr double rounding = 1e-6;                    // [spacings]
 constexpr double good_floor = 0.06, good_fit = 1.5;  // the same, of a sheet's residuals
+constexpr double exact_good = 0.03;                  // [spacings] without noise
 
 // How well a sheet fits, with all that differs by rounding alike: no verdict may hang on that.
 double fit_of(const Sheet& sheet) { return std::max(sheet.deviation, rounding); }
@@ -63,7 +64,8 @@ SheetCover cover_neighborhood(std::span<const Vec3> points, std::span<const Shee
                               const SheetTolerances& tolerances) {
   SheetCover cover;
   const double limit = on_limit(tolerances);
-  const double good = std::max(good_floor, good_fit * tolerances.noise);
+  const double good =
+      std::max(tolerances.exact() ? exact_good : good_floor, good_fit * tolerances.noise);
   std::array<Vec3, max_cover_points> place;
   for (std::size_t m = 0; m < members.size(); ++m) place[m] = points[members[m]];
   const std::span<const Vec3> around(place.data(), members.size());

@@ -18,9 +18,9 @@ constexpr std::size_t asked = 20;    // neighbors
 constexpr std::size_t half_of = 16;  // neighbors that the flattest half is sought in
 constexpr double quartile = 0.25, quartile_bias = 0.85;  // lower one, and what it is of the noise
 constexpr double exact = 0.02;                           // [spacings] less noise is as good as none
-constexpr double constructed = 0.001;  // [spacings] no scanner's: elsewhere it is thin or tight pieces
-constexpr double uneven = 3;      // ratio of the noisiest tenth to the quietest
-constexpr double level_step = 2;  // ratio of neighboring levels
+constexpr double constructed = 0.001;  // [spacings] no scanner's: what scatters is structure
+constexpr double uneven = 3;           // ratio of the noisiest tenth to the quietest
+constexpr double level_step = 2;       // ratio of neighboring levels
 constexpr double tenth = 0.1;
 
 double quantile(std::vector<double>& values, double share) {

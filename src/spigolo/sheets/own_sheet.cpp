@@ -21,6 +21,14 @@ constexpr std::size_t grain = 64;
 constexpr int growth_rounds = 5;
 // Room for rounding and for what a quadric cannot follow, in spacings.
 constexpr double smooth_floor = 0.01, plane_floor = 0.1, sheet_floor = 0.06;
+// Narrow or tightly bent sheets without noise: what is fitted well enough, and where else to start.
+constexpr double sure_fit = 0.02, sure_plane = 0.002;  // [spacings] rms
+constexpr int sure_points = 6;                         // of such a plane
+constexpr double wider_planes[] = {2, 3, 4.5};         // times the tolerance of a plane
+constexpr std::size_t nearest_few[] = {9, 11, 13};     // points, the one itself among them
+// A sheet fitted to rounding beats one that is not, if it passes the point exactly.
+constexpr double better_fit = 20;                        // times
+constexpr double doubtful_fit = 0.005, exact_on = 1e-4;  // [spacings]
 constexpr int tighten_rounds = 6;
 constexpr double outlying = 3, normal_per_median = 1.4826;  // standard deviations, for a median
 constexpr double rounding = 1e-7;                           // [spacings] of exact data
@@ -58,16 +66,16 @@ Sheet tighten(std::span<const Vec3> points, Sheet sheet, double spacing, std::ve
   return sheet;
 }
 
-// Fit, take in all points on the fit, fit again until nothing changes.
+// Fit, take in all points on the fit, fit again until nothing changes; a bent start is a quadric.
 Sheet grow(std::span<const Vec3> points, double spacing, const SheetTolerances& tolerances,
-           std::vector<char>& on) {
+           std::vector<char>& on, SheetOrder start) {
   std::array<double, most_points> off;
   Sheet sheet;
   for (int round = 0; round < growth_rounds; ++round) {
-    const SheetOrder order = round == 0 ? SheetOrder::plane : SheetOrder::quadric;
+    const SheetOrder order = round == 0 ? start : SheetOrder::quadric;
     sheet = fit_sheet(points, on, spacing, order);
     if (!sheet.fitted()) return sheet;
-    const bool curved = round > 0 && sheet.support >= quadric_points;
+    const bool curved = order == SheetOrder::quadric && sheet.support >= quadric_points;
     const double limit = curved ? tolerances.on_sheet() : tolerances.plane();
     heights(sheet, points, off.data());
     bool changed = false;
@@ -78,6 +86,67 @@ Sheet grow(std::span<const Vec3> points, double spacing, const SheetTolerances& 
     if (round >= 2 && !changed) break;
   }
   return sheet;
+}
+
+Sheet grow_tightly(std::span<const Vec3> points, double spacing, const SheetTolerances& tolerances,
+                   std::vector<char>& on, SheetOrder start) {
+  const Sheet grown = grow(points, spacing, tolerances, on, start);
+  return grown.fitted() ? tighten(points, grown, spacing, on) : grown;
+}
+
+// From the points within `tolerance` [units] of the plane that most of them agree with.
+Sheet grow_from_plane(std::span<const Vec3> points, double spacing,
+                      const SheetTolerances& tolerances, double tolerance, SheetOrder start,
+                      std::vector<char>& scratch) {
+  const Vec3 normal = consensus_plane(points, tolerance);
+  if (normal == Vec3{}) return {};
+  scratch.resize(points.size());
+  for (std::size_t t = 0; t < points.size(); ++t)
+    scratch[t] = std::abs(dot(normal, points[t] - points[0])) < tolerance;
+  return grow_tightly(points, spacing, tolerances, scratch, start);
+}
+
+bool sure(const Sheet& sheet) {
+  if (sheet.support >= quadric_points) return sheet.deviation <= sure_fit;
+  return sheet.support >= sure_points && sheet.deviation <= sure_plane;
+}
+
+// Where the plane's points make no sheet, the surface bends too much or another piece lies too
+// close: begin with more of them, bent, or with the nearest few alone.
+Sheet try_harder(std::span<const Vec3> points, double spacing, const SheetTolerances& tolerances,
+                 Sheet best, std::vector<char>& scratch) {
+  const auto offer = [&](const Sheet& sheet) {
+    if (sure(sheet) && (!sure(best) || sheet.support > best.support)) best = sheet;
+  };
+  for (const double wider : wider_planes)
+    offer(grow_from_plane(points, spacing, tolerances, wider * tolerances.plane() * spacing,
+                          SheetOrder::quadric, scratch));
+  for (const std::size_t few : nearest_few) {
+    if (few > points.size()) break;
+    scratch.assign(points.size(), 0);
+    std::fill_n(scratch.begin(), few, char{1});
+    if (fit_sheet(points, scratch, spacing, SheetOrder::quadric).deviation <= sure_fit)
+      offer(grow_tightly(points, spacing, tolerances, scratch, SheetOrder::quadric));
+  }
+  return best;
+}
+
+// Exactly sampled flats that run through a point know it better than its own fit across a crease.
+void adopt_exact_sheet(const Vec3& p, std::span<const std::uint32_t> row,
+                       std::span<const Sheet> first, Sheet& own) {
+  if (own.whole || own.deviation < doubtful_fit) return;
+  const double limit = own.deviation / better_fit;
+  const Sheet* best = nullptr;
+  for (const std::uint32_t j : row) {
+    const Sheet& s = first[j];
+    if (s.support >= quadric_points && s.deviation <= limit &&
+        (!best || s.support > best->support) &&
+        std::abs(height(s, p)) <= std::max(exact_on, 2 * s.deviation))
+      best = &s;
+  }
+  if (!best) return;
+  own = *best;
+  own.whole = false;
 }
 
 // With noise: beside a crease the neighborhood of some neighbor, farther from it, lies on the
@@ -129,14 +198,11 @@ Sheet find_own_sheet(std::span<const Vec3> points, double spacing,
 
 Sheet find_part_sheet(std::span<const Vec3> points, double spacing,
                       const SheetTolerances& tolerances, std::vector<char>& scratch) {
-  const double tolerance = tolerances.plane() * spacing;
-  const Vec3 normal = consensus_plane(points, tolerance);
-  if (normal == Vec3{}) return {};
-  scratch.resize(points.size());
-  for (std::size_t t = 0; t < points.size(); ++t)
-    scratch[t] = std::abs(dot(normal, points[t] - points[0])) < tolerance;
-  const Sheet grown = grow(points, spacing, tolerances, scratch);
-  return grown.fitted() ? tighten(points, grown, spacing, scratch) : grown;
+  const Sheet sheet = grow_from_plane(points, spacing, tolerances, tolerances.plane() * spacing,
+                                      SheetOrder::plane, scratch);
+  return tolerances.exact() && !sure(sheet)
+             ? try_harder(points, spacing, tolerances, sheet, scratch)
+             : sheet;
 }
 
 std::vector<Sheet> find_own_sheets(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
@@ -161,8 +227,14 @@ std::vector<Sheet> find_own_sheets(std::span<const Vec3> points, const Neighborh
     for (std::size_t i = begin; tolerances.exact() && i < end; ++i)
       if (!sheets[i].whole) sheets[i] = part(i, around, scratch);
   });
-  if (tolerances.exact()) return sheets;
   const std::vector<Sheet> whole = sheets;
+  if (tolerances.exact()) {
+    parallel_for(job, "", points.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        adopt_exact_sheet(points[i], neighborhoods.of(i).first(k), whole, sheets[i]);
+    });
+    return sheets;
+  }
   parallel_for(job, "sheets", points.size(), grain, [&](std::size_t begin, std::size_t end) {
     std::vector<Vec3> around;
     std::vector<char> scratch;

@@ -12,7 +12,7 @@
 namespace spigolo {
 namespace {
 
-constexpr double least_gap = radians(140);  // of directions without a point of the sheet
+constexpr double least_gap = radians(130);  // of directions without a point of the sheet
 constexpr std::size_t least_on = 4;         // points of the sheet that show them
 constexpr double sure_sheet = 0.02;         // [spacings] rms of a sheet that may end
 constexpr double reach = 2;                 // [spacings] the surface goes on so close by

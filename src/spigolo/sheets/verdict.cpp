@@ -25,6 +25,10 @@ constexpr double corner_reach = 0.9;    // [spacings] of three sheets' common po
 constexpr double common_reach = 0.2;    // [spacings] of a further sheet from their common point
 constexpr double sure_reach = 0.45;     // [spacings] so close nobody overshadows
 constexpr double shadow_length = 0.6, shadow_depth = 0.35;  // [spacings] along and across the edge
+constexpr double exact_noise = 0.03, exact_length = 0.5;    // shorter where positions are exact
+constexpr double core_reach = 0.4;                          // [spacings] nobody at all overshadows
+constexpr double placed_reach = 0.02,
+                 placed_length = 0.9;        // [spacings] of a sample put on the edge
 constexpr double shadow_loss = 1.5;          // of its length, by noise: who is closer is less sure
 constexpr double border_gap = radians(150);  // of directions without a neighbor
 constexpr std::size_t border_neighbors = 16;
@@ -127,19 +131,22 @@ bool sharp(const SheetVerdict& v) {
   return v.kind == PointKind::edge || v.kind == PointKind::corner;
 }
 
-// Another point of the same crease, beside this one and clearly closer to it.
+// Another point of the same crease, beside this one and clearly closer to it. One right on the
+// crease, as those of meshes are, casts a longer shadow: if some are placed there, all are.
 bool overshadowed(std::span<const Vec3> points, std::span<const std::uint32_t> neighbors,
                   std::span<const SheetVerdict> verdicts, std::uint32_t i, double spacing,
-                  double length) {
+                  double noise) {
   const SheetVerdict& mine = verdicts[i];
   const double away = distance(points[i], mine.crease_point) / spacing;
-  if (mine.kind != PointKind::edge || away < sure_reach) return false;
+  if (mine.kind != PointKind::edge || away < core_reach) return false;
+  const bool exact = noise < exact_noise;
+  const double length = exact ? exact_length : shadow_length - shadow_loss * noise;
   return std::any_of(neighbors.begin(), neighbors.end(), [&](std::uint32_t j) {
     if (!sharp(verdicts[j])) return false;
     const Vec3 d = (points[j] - mine.crease_point) / spacing;
-    const double beside = std::abs(dot(d, mine.direction));
-    return beside < length &&
-           norm(d - mine.direction * dot(d, mine.direction)) < away - shadow_depth;
+    const double beside = dot(d, mine.direction), across = norm(d - mine.direction * beside);
+    if (exact && across < placed_reach) return std::abs(beside) < placed_length;
+    return away >= sure_reach && std::abs(beside) < length && across < away - shadow_depth;
   });
 }
 
@@ -200,7 +207,6 @@ std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
 void clean_verdicts(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                     const Spacing& spacing, double noise, std::vector<SheetVerdict>& verdicts,
                     const Job& job) {
-  const double length = shadow_length - shadow_loss * noise;
   const auto is_wrong = [&](std::size_t i) {
     if (verdicts[i].kind == PointKind::surface) return false;
     const auto row = neighborhoods.of(i);
@@ -210,7 +216,7 @@ void clean_verdicts(std::span<const Vec3> points, const Neighborhoods& neighborh
     });
     return like < (sharp(verdicts[i]) ? 1 : 2) ||
            overshadowed(points, near, verdicts, static_cast<std::uint32_t>(i), spacing.of_point[i],
-                        length);
+                        noise);
   };
   for (const std::uint32_t i : parallel_select(job, verdicts.size(), clean_grain, is_wrong))
     verdicts[i] = {};

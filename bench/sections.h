@@ -27,7 +27,8 @@ void meshing(Report& report);
 void chapter4(Report& report, const std::filesystem::path& data);     // data may be empty
 void local_lines(Report& report, const std::filesystem::path& data);  // tables 3 and 4
 void chapter4_pictures(Report& report, const std::filesystem::path& pictures);
-void speed(Report& report, const std::filesystem::path& data);  // data may be empty
+/// data may be empty; large: up to ten million points.
+void speed(Report& report, const std::filesystem::path& data, bool large);
 /// Bytes for several numbers of threads; labels of moved clouds.
 void determinism(Report& report);
 /// Files of the folder `data` (see docs/benchmarks.md); pictures go to `pictures`.

@@ -48,6 +48,21 @@ std::vector<Item> parallel_collect(const Job& job, std::size_t count, std::size_
   return all;
 }
 
+/// n value-initialized items. The system hands out their memory, which takes most of the time that
+/// a large array costs, to all threads at once.
+template <class Item>
+std::vector<Item> parallel_array(const Job& job, std::size_t n) {
+  constexpr std::size_t page = 4096, pages = 1024;
+  std::vector<Item> items;
+  items.reserve(n);
+  auto* const memory = reinterpret_cast<std::byte*>(items.data());
+  parallel_for(job, "", n * sizeof(Item), page * pages, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t at = begin; at < end; at += page) memory[at] = std::byte{0};
+  });
+  items.resize(n);
+  return items;
+}
+
 /// All i of [0, count) with is_one(i), ascending.
 template <class Predicate>
 std::vector<std::uint32_t> parallel_select(const Job& job, std::size_t count, std::size_t grain,

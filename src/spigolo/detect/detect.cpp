@@ -9,12 +9,15 @@
 #include <utility>
 
 #include "spigolo/core/error.h"
+#include "spigolo/core/parallel.h"
 #include "spigolo/core/stopwatch.h"
 #include "spigolo/detect/methods.h"
 #include "spigolo/index/prepared_cloud.h"
 
 namespace spigolo {
 namespace {
+
+constexpr std::size_t grain = 1 << 14;
 
 // Written so that a NaN fails it too.
 void require(bool sound, const char* message) {
@@ -32,12 +35,12 @@ void check(const DetectOptions& o) {
 }
 
 Features in_input_order(const OrderedCloud& cloud, std::span<const Vec3> points,
-                        const Features& ordered) {
+                        const Features& ordered, const Job& job) {
   Features features;
   features.assign_surface(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  const auto copy = [&](std::size_t i) {
     const std::uint32_t r = cloud.rank[i];
-    if (r == no_point || ordered.kind[r] == PointKind::surface) continue;
+    if (r == no_point || ordered.kind[r] == PointKind::surface) return;
     features.kind[i] = ordered.kind[r];
     features.angle[i] = ordered.angle[r];
     features.strength[i] = ordered.strength[r];
@@ -47,7 +50,10 @@ Features in_input_order(const OrderedCloud& cloud, std::span<const Vec3> points,
     // A crease through the very point keeps its coordinates to the last bit.
     const Vec3& crease = ordered.crease_point[r];
     features.crease_point[i] = crease == cloud.points[r] ? points[i] : crease + cloud.origin;
-  }
+  };
+  parallel_for(job, "", points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) copy(i);
+  });
   return features;
 }
 
@@ -95,7 +101,7 @@ Detection detect(std::span<const Vec3> points, const DetectOptions& options, con
   const Features ordered = options.method == DetectMethod::sheets
                                ? features_by_sheets(prepared, options, job, result)
                                : features_by_gauss_map(prepared, options, job, result);
-  result.features = in_input_order(prepared.cloud, points, ordered);
+  result.features = in_input_order(prepared.cloud, points, ordered, job);
   warn(prepared.cloud, result);
   warn_of_noise(result);
   result.seconds_detect = watch.lap();

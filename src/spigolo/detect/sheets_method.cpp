@@ -2,13 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // spigolo/detect/sheets_method.cpp - the sheet model
-#include <algorithm>
 #include <utility>
 
+#include "spigolo/core/parallel.h"
 #include "spigolo/detect/methods.h"
 #include "spigolo/sheets/sheet_model.h"
 
 namespace spigolo {
+namespace {
+
+constexpr std::size_t grain = 1 << 14;
+
+}  // namespace
+
 Features features_of_model(const SheetModel& model) {
   const std::vector<SheetVerdict>& verdicts = model.verdicts;
   Features features;
@@ -32,9 +38,12 @@ Features features_by_sheets(PreparedCloud& prepared, const DetectOptions& option
   SheetModel model = build_sheet_model(std::move(prepared), {options.sensitivity}, job);
   prepared = std::move(model.prepared);
   result.k = neighbors_at_hand(prepared, model.tolerances.k, result.warnings);
-  result.candidates = static_cast<std::size_t>(
-      std::count_if(model.verdicts.begin(), model.verdicts.end(),
-                    [](const SheetVerdict& v) { return v.kind != PointKind::surface; }));
+  result.candidates = parallel_count(job, model.verdicts.size(), grain, [&](std::size_t i) {
+    return model.verdicts[i].kind != PointKind::surface;
+  });
+  // Before the labels take their room.
+  std::vector<Sheet>().swap(model.own);
+  prepared.neighborhoods = {};
   return features_of_model(model);
 }
 

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::uint32_t group_size = 16;      // queries that share their candidates
 constexpr double first_reach = 1.3;           // of the first k-th neighbor that is known
+constexpr double next_reach = 1.25;           // of the farthest one of the last group
 constexpr std::size_t max_candidates = 1500;  // more are no longer cheaper than single searches
 constexpr std::size_t grain = 128;            // groups handed to a thread at a time
 
@@ -59,7 +60,7 @@ class Searcher {
       nearest = std::min(nearest, d);
     }
     last_ = nearest;
-    reach_ = 1.1 * farthest;
+    reach_ = next_reach * farthest;
   }
 
  private:
@@ -174,7 +175,7 @@ Neighborhoods find_neighborhoods(const KdTree& tree, std::size_t k, const Job& j
   const std::size_t n = tree.points().size();
   result.k = n == 0 ? 0 : std::min(k, n - 1);
   if (result.k == 0) return result;
-  result.index.resize(n * result.k);
+  result.index = parallel_array<std::uint32_t>(job, n * result.k);
   const std::vector<Group> groups = make_groups(tree);
   parallel_for(job, "neighbors", groups.size(), grain, [&](std::size_t begin, std::size_t end) {
     Searcher searcher(tree, result.k, result);

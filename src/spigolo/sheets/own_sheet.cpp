@@ -219,7 +219,7 @@ std::vector<Sheet> find_own_sheets(std::span<const Vec3> points, const Neighborh
     for (const std::uint32_t j : neighborhoods.of(i).first(k)) around.push_back(points[j]);
     return find_part_sheet(around, spacing.of_point[i], tolerances, scratch);
   };
-  std::vector<Sheet> sheets(points.size());
+  auto sheets = parallel_array<Sheet>(job, points.size());
   parallel_for(job, "sheets", points.size(), grain, [&](std::size_t begin, std::size_t end) {
     fit_all(sheets, begin, end);
     std::vector<Vec3> around;

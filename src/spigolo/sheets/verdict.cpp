@@ -188,7 +188,7 @@ std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
                                        std::span<const Sheet> sheets,
                                        const SheetTolerances& tolerances,
                                        const SheetOptions& options, const Job& job) {
-  std::vector<SheetVerdict> verdicts(points.size());
+  auto verdicts = parallel_array<SheetVerdict>(job, points.size());
   const std::size_t k = std::min(tolerances.asked, neighborhoods.k);
   parallel_for(job, "detect", points.size(), grain, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> members;

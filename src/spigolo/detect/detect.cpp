@@ -34,21 +34,30 @@ void check(const DetectOptions& o) {
   require(o.sensitivity >= 0 && o.sensitivity <= 1, "sensitivity must be between 0 and 1");
 }
 
+PlaceFeatures rows_of_all(Features features) {
+  PlaceFeatures all{std::vector<std::uint32_t>(features.size(), no_point), std::move(features)};
+  for (std::uint32_t i = 0; i < all.row.size(); ++i)
+    if (all.features.kind[i] != PointKind::surface) all.row[i] = i;
+  return all;
+}
+
 Features in_input_order(const OrderedCloud& cloud, std::span<const Vec3> points,
-                        const Features& ordered, const Job& job) {
+                        const PlaceFeatures& found, const Job& job) {
+  const Features& of_places = found.features;
   Features features;
   features.assign_surface(points.size());
   const auto copy = [&](std::size_t i) {
     const std::uint32_t r = cloud.rank[i];
-    if (r == no_point || ordered.kind[r] == PointKind::surface) return;
-    features.kind[i] = ordered.kind[r];
-    features.angle[i] = ordered.angle[r];
-    features.strength[i] = ordered.strength[r];
-    features.convex[i] = ordered.convex[r];
-    features.direction[i] = ordered.direction[r];
-    features.sheets[i] = ordered.sheets[r];
+    const std::uint32_t row = r == no_point ? no_point : found.row[r];
+    if (row == no_point) return;
+    features.kind[i] = of_places.kind[row];
+    features.angle[i] = of_places.angle[row];
+    features.strength[i] = of_places.strength[row];
+    features.convex[i] = of_places.convex[row];
+    features.direction[i] = of_places.direction[row];
+    features.sheets[i] = of_places.sheets[row];
     // A crease through the very point keeps its coordinates to the last bit.
-    const Vec3& crease = ordered.crease_point[r];
+    const Vec3& crease = of_places.crease_point[row];
     features.crease_point[i] = crease == cloud.points[r] ? points[i] : crease + cloud.origin;
   };
   parallel_for(job, "", points.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -98,10 +107,12 @@ Detection detect(std::span<const Vec3> points, const DetectOptions& options, con
   result.spacing = prepared.spacing.of_cloud;
   result.noise = prepared.noise;
   result.seconds_index = watch.lap();
-  const Features ordered = options.method == DetectMethod::sheets
-                               ? features_by_sheets(prepared, options, job, result)
-                               : features_by_gauss_map(prepared, options, job, result);
-  result.features = in_input_order(prepared.cloud, points, ordered, job);
+  const PlaceFeatures found =
+      options.method == DetectMethod::sheets
+          ? features_by_sheets(prepared, options, job, result)
+          : rows_of_all(features_by_gauss_map(prepared, options, job, result));
+  prepared.neighborhoods = {};  // before the labels take their room
+  result.features = in_input_order(prepared.cloud, points, found, job);
   warn(prepared.cloud, result);
   warn_of_noise(result);
   result.seconds_detect = watch.lap();

@@ -13,38 +13,51 @@ namespace {
 
 constexpr std::size_t grain = 1 << 14;
 
+void set_row(Features& features, std::size_t row, const SheetVerdict& verdict) {
+  features.kind[row] = verdict.kind;
+  features.angle[row] = verdict.deviation;
+  features.strength[row] = static_cast<float>(verdict.strength);
+  features.crease_point[row] = verdict.crease_point;
+  features.direction[row] = verdict.direction;
+  features.sheets[row] = verdict.sheets;
+  features.convex[row] = verdict.convex;
+}
+
+// Few places are marked: the others need no row.
+PlaceFeatures marked_places(const std::vector<SheetVerdict>& verdicts, const Job& job) {
+  const auto marked = parallel_select(job, verdicts.size(), grain, [&](std::size_t i) {
+    return verdicts[i].kind != PointKind::surface;
+  });
+  PlaceFeatures found;
+  found.row.assign(verdicts.size(), no_point);
+  found.features.assign_surface(marked.size());
+  for (std::uint32_t m = 0; m < marked.size(); ++m) {
+    found.row[marked[m]] = m;
+    set_row(found.features, m, verdicts[marked[m]]);
+  }
+  return found;
+}
+
 }  // namespace
 
 Features features_of_model(const SheetModel& model) {
   const std::vector<SheetVerdict>& verdicts = model.verdicts;
   Features features;
   features.assign_surface(verdicts.size());
-  for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    const SheetVerdict& verdict = verdicts[i];
-    if (verdict.kind == PointKind::surface) continue;
-    features.kind[i] = verdict.kind;
-    features.angle[i] = verdict.deviation;
-    features.strength[i] = static_cast<float>(verdict.strength);
-    features.crease_point[i] = verdict.crease_point;
-    features.direction[i] = verdict.direction;
-    features.sheets[i] = verdict.sheets;
-    features.convex[i] = verdict.convex;
-  }
+  for (std::size_t i = 0; i < verdicts.size(); ++i)
+    if (verdicts[i].kind != PointKind::surface) set_row(features, i, verdicts[i]);
   return features;
 }
 
-Features features_by_sheets(PreparedCloud& prepared, const DetectOptions& options, const Job& job,
-                            Detection& result) {
+PlaceFeatures features_by_sheets(PreparedCloud& prepared, const DetectOptions& options,
+                                 const Job& job, Detection& result) {
   SheetModel model = build_sheet_model(std::move(prepared), {options.sensitivity}, job);
   prepared = std::move(model.prepared);
   result.k = neighbors_at_hand(prepared, model.tolerances.k, result.warnings);
-  result.candidates = parallel_count(job, model.verdicts.size(), grain, [&](std::size_t i) {
-    return model.verdicts[i].kind != PointKind::surface;
-  });
-  // Before the labels take their room.
-  std::vector<Sheet>().swap(model.own);
-  prepared.neighborhoods = {};
-  return features_of_model(model);
+  std::vector<Sheet>().swap(model.own);  // before the labels take their room
+  PlaceFeatures found = marked_places(model.verdicts, job);
+  result.candidates = found.features.size();
+  return found;
 }
 
 }  // namespace spigolo

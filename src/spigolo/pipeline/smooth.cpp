@@ -27,9 +27,12 @@ std::vector<PointKind> labels_of(PreparedCloud& prepared, const SmoothOptions& o
   if (options.method == SmoothMethod::plain) return {};
   if (options.features == nullptr) {
     Detection detection;
-    Features found = features_by_sheets(prepared, {}, job, detection);
+    const PlaceFeatures found = features_by_sheets(prepared, {}, job, detection);
     warnings.insert(warnings.end(), detection.warnings.begin(), detection.warnings.end());
-    return std::move(found.kind);
+    std::vector<PointKind> kind(found.row.size(), PointKind::surface);
+    for (std::size_t i = 0; i < kind.size(); ++i)
+      if (found.row[i] != no_point) kind[i] = found.features.kind[found.row[i]];
+    return kind;
   }
   return ordered_kinds(prepared.cloud, options.features->kind);
 }

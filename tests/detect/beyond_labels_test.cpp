@@ -102,6 +102,27 @@ TEST(Detect, StrengthIsCalibrated) {
   EXPECT_NEAR(expected / marked, right / marked, 0.06);
 }
 
+// Half and all of the distance between the samples: what a single neighborhood cannot see.
+TEST(Detect, FoldsShowThroughMuchNoise) {
+  const auto f1 = [](double angle, double noise) {
+    SynthOptions options;
+    options.shape = angle > 0 ? "wedge" : "box";
+    options.angle = radians(angle > 0 ? angle : 90);
+    options.sampling = Sampling::blue;
+    options.points = 4000;
+    options.noise = noise;
+    options.seed = 3;
+    const SynthCloud s = make_cloud(options);
+    return classify(sharp_flags(detect(s.cloud.points).features),
+                    read_truth(s.cloud, s.spacing, s.lattice), Scoring::tolerant)
+        .f1;
+  };
+  EXPECT_GT(f1(0, 0.5), 0.86);
+  EXPECT_GT(f1(120, 0.5), 0.86);
+  EXPECT_GT(f1(0, 1), 0.6);
+  EXPECT_GT(f1(120, 1), 0.6);
+}
+
 TEST(Detect, CloudsBeyondTheLimitAreNamed) {
   SynthOptions options;
   options.shape = "box";

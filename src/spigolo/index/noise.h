@@ -18,7 +18,7 @@ namespace spigolo {
 /// on curved surfaces, a quadric through 17 on thin walls, the flattest half of 16 neighbors (least
 /// median of squares over planes through the point) on strong curvature only. Each is taken at its
 /// lower quartile over the cloud, where no crease is near, and corrected for the freedom its fit
-/// has. 0 if there are too few points. Looks at 20 000 points at most, evenly along the canonical
+/// has; large noise, of which small neighborhoods show only a part, is corrected for that. 0 if there are too few points. Looks at 20 000 points at most, evenly along the canonical
 /// order.
 double estimate_noise(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                       const Spacing& spacing, const Job& job = {});

@@ -14,12 +14,14 @@ namespace spigolo {
 namespace {
 
 constexpr std::size_t grain = 256;
-constexpr std::size_t asked = 40;  // neighbors
-constexpr double longest = 3;      // [spacings] a crease is straight so far
-constexpr double spread = 0.8;     // [spacings] creases this close may be one
-constexpr double parallel = 0.85;  // cosine of directions that agree
-constexpr double near = 0.6;       // [spacings] a crease this close passes a place
-constexpr double probable = 0.27;  // so likely, it is said to
+constexpr std::size_t asked = 40;       // neighbors
+constexpr double longest = 3;           // [spacings] a crease is straight so far
+constexpr double spread = 0.8;          // [spacings] creases this close may be one
+constexpr std::size_t least_votes = 5;  // of them, to be believed
+constexpr double parallel = 0.85;       // cosine of directions that agree
+constexpr double against = 0.7;         // of a vote: what one for a bend counts
+constexpr double near = 0.6;            // [spacings] a crease this close passes a place
+constexpr double probable = 0.27;       // so likely, it is said to
 
 struct Vote {
   Vec3 foot;  // point of the neighbor's crease beside the asking point
@@ -42,6 +44,7 @@ std::vector<Vote> largest_group(const std::vector<Vote>& votes, double spacing) 
 
 SheetVerdict mean_of(const std::vector<Vote>& votes) {
   const double n = static_cast<double>(votes.size());
+  std::size_t folded = 0;
   SheetVerdict verdict;
   verdict.kind = PointKind::edge;
   for (const Vote& vote : votes) {
@@ -54,21 +57,25 @@ SheetVerdict mean_of(const std::vector<Vote>& votes) {
     for (std::size_t s = 0; s < 2; ++s) verdict.into[s] += into[crossed ? 1 - s : s];
     verdict.deviation += vote.from->deviation / n;
     verdict.strength += vote.from->strength / n;
+    folded += vote.from->folded > 0;
   }
   verdict.direction = normalized(verdict.direction);
   for (Vec3& into : verdict.into) into = normalized(into);
   verdict.sheets = 2;
+  verdict.folded = 2 * folded > votes.size() ? 1 : 0;
   return verdict;
 }
 
 SheetVerdict ask(std::span<const Vec3> points, std::span<const std::uint32_t> neighbors,
                  std::span<const SheetVerdict> proposals, std::uint32_t i, double spacing,
-                 double noise, std::size_t least_votes) {
+                 double noise) {
   const SheetVerdict& own = proposals[i];
   if (own.kind == PointKind::corner || own.kind == PointKind::border) return own;
   std::vector<Vote> votes;
+  std::size_t bends = 0;
   const auto hear = [&](std::uint32_t j) {
     const SheetVerdict& v = proposals[j];
+    bends += v.folded < 0;
     if (v.kind != PointKind::edge) return;
     const double along = dot(points[i] - v.crease_point, v.direction);
     if (std::abs(along) <= longest * spacing)
@@ -78,7 +85,9 @@ SheetVerdict ask(std::span<const Vec3> points, std::span<const std::uint32_t> ne
   for (const std::uint32_t j : neighbors.first(std::min(asked, neighbors.size()))) hear(j);
   if (votes.size() < least_votes) return {};
   const std::vector<Vote> group = largest_group(votes, spacing);
-  if (group.size() < least_votes) return {};
+  if (group.size() < least_votes ||
+      static_cast<double>(group.size()) < against * static_cast<double>(bends))
+    return {};
   const SheetVerdict mean = mean_of(group);
   return passing_probability(mean, points[i], spacing, near, noise) < probable ? SheetVerdict{}
                                                                                : mean;
@@ -90,12 +99,12 @@ std::vector<SheetVerdict> agree_on_creases(std::span<const Vec3> points,
                                            const Neighborhoods& neighborhoods,
                                            const Spacing& spacing,
                                            std::span<const SheetVerdict> proposals, double noise,
-                                           std::size_t least_votes, const Job& job) {
+                                           const Job& job) {
   std::vector<SheetVerdict> agreed(points.size());
   parallel_for(job, "", points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       agreed[i] = ask(points, neighborhoods.of(i), proposals, static_cast<std::uint32_t>(i),
-                      spacing.of_point[i], noise, least_votes);
+                      spacing.of_point[i], noise);
   });
   return agreed;
 }

@@ -15,14 +15,14 @@ namespace spigolo {
 
 /// Each edge among `proposals` stands for a piece of straight crease, however far from its point.
 /// Every point takes the mean of those in its neighborhood that pass close to each other, if
-/// `least_votes` of them agree, and is on an edge if it is likely enough that this mean passes the
-/// place it was sampled at (passing_probability, with `noise` [spacings]): chance hits go, gaps
-/// close, the position becomes as certain as several fits. Corners and borders stay. All from one
-/// snapshot.
+/// enough of them agree and outnumber the bends, and is on an edge if it is likely enough that this
+/// mean passes the place it was sampled at (passing_probability, with `noise` [spacings]): chance
+/// hits go, gaps close, the position becomes as certain as several fits. Corners and borders stay.
+/// All from one snapshot.
 std::vector<SheetVerdict> agree_on_creases(std::span<const Vec3> points,
                                            const Neighborhoods& neighborhoods,
                                            const Spacing& spacing,
                                            std::span<const SheetVerdict> proposals, double noise,
-                                           std::size_t least_votes, const Job& job = {});
+                                           const Job& job = {});
 
 }  // namespace spigolo

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t grain = 32;
 constexpr double reach = 2.5;       // [spacings] a crease this close is a proposal
+constexpr double little = 0.3;      // [spacings] of noise: wider fits know the place better
 constexpr double one_sheet = 1.25;  // [standard deviations] a single sheet that fits so well is all
 constexpr double corner_reach = 0.9;  // [spacings]
 constexpr std::size_t asked = 8;      // neighbors that make a point a candidate
@@ -24,15 +25,22 @@ bool sharp(const SheetVerdict& v) {
   return v.kind == PointKind::edge || v.kind == PointKind::corner;
 }
 
+// Folds know the place of their creases as well as wider fits do, unless the noise is small.
+bool asks(const SheetVerdict& v, double noise) {
+  return sharp(v) && (v.folded == 0 || noise < little);
+}
+
 // Points beside a crease that the first look saw.
 std::vector<std::uint32_t> candidates(const SheetModel& model) {
+  const double noise = model.tolerances.noise;
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < model.size(); ++i) {
     const auto row = model.prepared.neighborhoods.of(i);
     const auto near = row.first(std::min(asked, row.size()));
-    if (sharp(model.verdicts[i]) || std::any_of(near.begin(), near.end(), [&](std::uint32_t j) {
-          return sharp(model.verdicts[j]);
-        }))
+    if (model.verdicts[i].folded > 0 && !asks(model.verdicts[i], noise)) continue;
+    if (asks(model.verdicts[i], noise) ||
+        std::any_of(near.begin(), near.end(),
+                    [&](std::uint32_t j) { return asks(model.verdicts[j], noise); }))
       found.push_back(i);
   }
   return found;
@@ -72,7 +80,9 @@ void refine_creases(SheetModel& model, const SheetOptions& options, const Job& j
       const std::uint32_t i = near[c];
       const Vec3& p = model.points()[i];
       const LocalSheets& sheets = probe.look(p);
-      if (sheets.count == 1 && sheets.sheet[0].deviation < one_sheet * noise) continue;
+      if (model.verdicts[i].folded == 0 && sheets.count == 1 &&
+          sheets.sheet[0].deviation < one_sheet * noise)
+        continue;
       const auto place = find_nearest_crease(sheets, p);
       if (place && place->deviation >= least_deviation(options.sensitivity))
         refined[c] = verdict_by(*place, p, model.prepared.spacing.of_point[i]);

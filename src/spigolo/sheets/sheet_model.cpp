@@ -10,6 +10,7 @@
 #include "spigolo/core/parallel.h"
 #include "spigolo/sheets/agree.h"
 #include "spigolo/sheets/convexity.h"
+#include "spigolo/sheets/folds.h"
 #include "spigolo/sheets/gaps.h"
 #include "spigolo/sheets/local_noise.h"
 #include "spigolo/sheets/refine.h"
@@ -20,9 +21,6 @@ namespace spigolo {
 namespace {
 
 constexpr std::size_t grain = 1024;
-// Proposals of one crease that are believed: of the first look, then of the wider fits that every
-// point near one was given. Chance creases on curved places have fewer.
-constexpr std::size_t first_votes = 5, last_votes = 8;
 constexpr int plain_rounds = 2;  // neighborhoods of neighborhoods: as far as any later fit looks
 
 }  // namespace
@@ -54,14 +52,15 @@ void judge_all(SheetModel& model, const SheetOptions& options, const Job& job) {
   const double noise = model.tolerances.noise;
   const bool exact = model.tolerances.exact();
   model.verdicts = judge_points(points, p.neighborhoods, model.own, model.tolerances, options, job);
-  const auto agree = [&](std::size_t votes) {
+  const auto agree = [&] {
     model.verdicts =
-        agree_on_creases(points, p.neighborhoods, p.spacing, model.verdicts, noise, votes, job);
+        agree_on_creases(points, p.neighborhoods, p.spacing, model.verdicts, noise, job);
   };
   if (!exact) {
-    agree(first_votes);
+    propose_folds(model, options, job);
+    agree();
     refine_creases(model, options, job);
-    agree(last_votes);
+    agree();
   }
   clean_verdicts(points, p.neighborhoods, p.spacing, exact ? 0 : noise, model.verdicts, job);
   if (exact) fill_gaps(points, p.neighborhoods, p.spacing, model.verdicts, job);

@@ -33,6 +33,7 @@ struct SheetVerdict {
   Vec3 direction;        // unit, along the crease; zero unless an edge
   std::array<Vec3, 2> into{};  // of an edge: unit, square to it, from the crease into each sheet
   std::uint8_t sheets = 1;     // that meet: 2 at an edge, 3 or more at a corner
+  std::int8_t folded = 0;      // by a fold test (HingeTest): 1 sharp, -1 rounded, 0 not known
   std::int8_t convex = 0;      // 1 convex, -1 concave, 0 not known or no edge
 };
 

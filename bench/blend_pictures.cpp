@@ -36,8 +36,8 @@ void draw_blends(const std::vector<PictureOf>& blends, const std::filesystem::pa
   for (const PictureOf& one : blends) panels.push_back({scene_of(one.blend), one.title});
   if (panels.empty()) return;
   RenderOptions options;
-  options.width = 1600;
-  options.height = 400 * rows;
+  options.width = 880;  // the repository keeps them
+  options.height = 220 * rows;
   options.view.direction = parse_view_direction("25,35");
   options.view.target = Vec3{20.5, 20.5, 46};
   options.view.radius = 21;

@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "feature_cloud.h"
 #include "files.h"
+#include "projection_options.h"
 #include "report.h"
 #include "run.h"
 #include "spigolo/core/error.h"
@@ -27,16 +27,10 @@ const VerbHelp help = {"mesh", "A triangle mesh whose edges run along the crease
 
 struct MeshCommand {
   CommonOptions common;
-  std::string input, output, features;
-  std::string method = "sheets";
+  std::string input, output;
+  ProjectionChoice projection;
   MeshOptions options;
 };
-
-// "auto" stands for 0: from the noise.
-CLI::Option* by_noise(CLI::Option* option) {
-  return option->default_str("auto")->transform(
-      [](const std::string& text) { return text == "auto" ? "0" : text; });
-}
 
 void declare(CommandLine& line, MeshCommand& c) {
   line.app().add_option("CLOUD", c.input, "the points; - is standard input")->required();
@@ -44,17 +38,11 @@ void declare(CommandLine& line, MeshCommand& c) {
       .add_option("-o,--output", c.output, "PLY, OBJ, STL, OFF or GLB file")
       ->required()
       ->type_name("OUT");
-  line.parameter("--method", c.method, "sheets, feature-line (thesis) or plain (rounds edges)")
-      ->check(CLI::IsMember({"sheets", "feature-line", "plain"}))
-      ->type_name("NAME");
+  declare_method(line, c.projection);
   line.parameter("--sensitivity", c.options.sensitivity,
                  "of features, 0 to 1: left fewer fillets, right more obtuse edges")
       ->type_name("S");
-  by_noise(line.parameter("--k", c.options.mls.k, "neighbors of a point, at least 9"))
-      ->type_name("N");
-  by_noise(line.parameter("--smoothing", c.options.mls.smoothing,
-                          "h of the weight, in spacings; larger smooths more"))
-      ->type_name("H");
+  declare_smoothing(line, c.options.mls);
   line.parameter("--edge-length", c.options.mesher.edge_length, "of triangles, in spacings")
       ->type_name("L");
   line.parameter("--chord-error", c.options.mesher.chord_error,
@@ -62,28 +50,14 @@ void declare(CommandLine& line, MeshCommand& c) {
                  "nowhere")
       ->type_name("E");
   line.switch_parameter("--close", c.options.mesher.close, "fill all holes, however large");
-  line.app()
-      .add_option("--features", c.features, "labels of these points, as detect writes them")
-      ->type_name("FILE.ply");
+  declare_features(line, c.projection);
 }
 
 void check_door(MeshCommand& c) {
   if (c.output != "-" && lower_extension(c.output) != ".glb")
     file_format(c.output, FileUse::write_mesh);
   check_output(c.output, c.common);
-  c.options.method = c.method == "sheets"  ? SmoothMethod::sheets
-                     : c.method == "plain" ? SmoothMethod::plain
-                                           : SmoothMethod::feature_line;
-}
-
-std::optional<Features> read_labels(const MeshCommand& c, const PointCloud& cloud, Run& run) {
-  if (c.features.empty()) return std::nullopt;
-  if (c.options.method == SmoothMethod::plain)
-    run.warn("--features has no effect with --method plain");
-  ReadReport seen;
-  const PointCloud labels = read_points(c.features, run, seen);
-  warn(seen, c.features, run);
-  return features_of(labels, cloud, c.features);
+  c.options.method = c.projection.smooth_method();
 }
 
 void write_shaded(const std::string& path, const SharpMesh& sharp, bool glb, Run& run) {
@@ -122,7 +96,7 @@ Json mesh_json(const MeshedCloud& meshed, const MeshCommand& c, const Json& para
   json["noise"] = meshed.noise;
   json["curves"] = meshed.network.curves.size();
   json["corners"] = meshed.network.corners.size();
-  json["method"] = c.method;
+  json["method"] = c.projection.method;
   json["parameters"] = parameters;
   json["duplicates"] = meshed.duplicates;
   json["non_finite"] = meshed.non_finite;
@@ -165,7 +139,7 @@ void run_mesh(const std::vector<std::string>& arguments) {
   const PointCloud cloud = read_points(c.input, run, seen);
   warn(seen, c.input, run);
   run.check_memory(cloud.size(), bytes_per_point);
-  const std::optional<Features> labels = read_labels(c, cloud, run);
+  const std::optional<Features> labels = read_labels(c.projection, cloud, run);
   if (labels) c.options.features = &*labels;
   const double read = run.lap();
   const MeshedCloud meshed = mesh_cloud(cloud.points, c.options, run.job());

@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "feature_cloud.h"
 #include "files.h"
+#include "projection_options.h"
 #include "report.h"
 #include "run.h"
 #include "spigolo/core/error.h"
@@ -30,16 +30,10 @@ const VerbHelp help = {
 
 struct SmoothCommand {
   CommonOptions common;
-  std::string input, output, features;
-  std::string method = "sheets";
+  std::string input, output;
+  ProjectionChoice projection;
   SmoothOptions options;
 };
-
-// "auto" stands for 0: from the noise.
-CLI::Option* by_noise(CLI::Option* option) {
-  return option->default_str("auto")->transform(
-      [](const std::string& text) { return text == "auto" ? "0" : text; });
-}
 
 void declare(CommandLine& line, SmoothCommand& c) {
   line.app().add_option("CLOUD", c.input, "the points; - is standard input")->required();
@@ -47,17 +41,9 @@ void declare(CommandLine& line, SmoothCommand& c) {
       .add_option("-o,--output", c.output, "PLY file; - is standard output")
       ->required()
       ->type_name("OUT.ply");
-  line.parameter("--method", c.method, "sheets, feature-line (thesis) or plain (rounds edges)")
-      ->check(CLI::IsMember({"sheets", "feature-line", "plain"}))
-      ->type_name("NAME");
-  by_noise(line.parameter("--k", c.options.mls.k, "neighbors of a point, at least 9"))
-      ->type_name("N");
-  by_noise(line.parameter("--smoothing", c.options.mls.smoothing,
-                          "h of the weight, in spacings; larger smooths more"))
-      ->type_name("H");
-  line.app()
-      .add_option("--features", c.features, "labels of these points, as detect writes them")
-      ->type_name("FILE.ply");
+  declare_method(line, c.projection);
+  declare_smoothing(line, c.options.mls);
+  declare_features(line, c.projection);
 }
 
 void check_door(SmoothCommand& c) {
@@ -65,19 +51,7 @@ void check_door(SmoothCommand& c) {
     throw UsageError("smooth writes PLY: name the output " + c.output +
                      ".ply, and 'spigolo convert' it to another format");
   check_output(c.output, c.common);
-  c.options.method = c.method == "sheets"  ? SmoothMethod::sheets
-                     : c.method == "plain" ? SmoothMethod::plain
-                                           : SmoothMethod::feature_line;
-}
-
-std::optional<Features> read_labels(const SmoothCommand& c, const PointCloud& cloud, Run& run) {
-  if (c.features.empty()) return std::nullopt;
-  if (c.options.method == SmoothMethod::plain)
-    run.warn("--features has no effect with --method plain");
-  ReadReport seen;
-  const PointCloud labels = read_points(c.features, run, seen);
-  warn(seen, c.features, run);
-  return features_of(labels, cloud, c.features);
+  c.options.method = c.projection.smooth_method();
 }
 
 PointCloud with_surface(PointCloud cloud, const Smoothed& s) {
@@ -158,7 +132,7 @@ void run_smooth(const std::vector<std::string>& arguments) {
   PointCloud cloud = read_points(c.input, run, seen);
   warn(seen, c.input, run);
   run.check_memory(cloud.size(), bytes_per_point);
-  const std::optional<Features> labels = read_labels(c, cloud, run);
+  const std::optional<Features> labels = read_labels(c.projection, cloud, run);
   if (labels) c.options.features = &*labels;
   const double seconds_read = run.lap();
   const Smoothed smoothed = smooth(cloud.points, c.options, run.job());
@@ -168,14 +142,14 @@ void run_smooth(const std::vector<std::string>& arguments) {
 
   const Json parameters = parameters_used(line, smoothed);
   save_parameters(c.common, help, line.parameters());
-  Json json = smooth_json(smoothed, c.method, parameters);
+  Json json = smooth_json(smoothed, c.projection.method, parameters);
   json["seconds"] = {{"read", seconds_read},
                      {"index", smoothed.seconds_index},
                      {"detect", smoothed.seconds_detect},
                      {"project", smoothed.seconds_project},
                      {"write", run.lap()},
                      {"total", run.total_seconds()}};
-  run.print(json, smooth_text(smoothed, c.method, run.total_seconds()), c.output == "-");
+  run.print(json, smooth_text(smoothed, c.projection.method, run.total_seconds()), c.output == "-");
 }
 
 }  // namespace spigolo

@@ -86,7 +86,9 @@ void add_places_between(Side& side) {
 Side read_side(const std::string& path, Run& run) {
   ReadReport seen;
   Side side;
-  side.mesh = read_surface(path, run, seen, &side.segments);
+  FileLines lines;
+  side.mesh = read_surface(path, run, seen, &lines);
+  side.segments = pieces_of(lines);
   warn(seen, path, run);
   add_places_between(side);
   return side;

@@ -27,14 +27,14 @@ PointCloud read_points(const std::string& path, const Run& run, ReadReport& repo
 }
 
 TriangleMesh read_surface(const std::string& path, const Run& run, ReadReport& report,
-                          Segments* segments) {
+                          FileLines* lines) {
   const bool piped = path == "-";
   FileFormat format = piped ? FileFormat::xyz : file_format(path, FileUse::read_cloud);
   if (!piped) run.check_file_size(path);
   const FileBytes file(path);
   const InputBytes input = file.view();
   if (piped && input.text().starts_with("ply")) format = FileFormat::ply;
-  if (holds_faces(format)) return read_mesh(input, format, &report, segments);
+  if (holds_faces(format)) return read_mesh(input, format, &report, lines);
   return {read_cloud(input, format, &report), {}};
 }
 

@@ -15,9 +15,9 @@ namespace spigolo {
 /// The points alone. What the reader saw goes to `report` if it is given.
 PointCloud read_points(const std::string& path, const Run& run, ReadReport& report);
 
-/// Also the triangles, where the format has any; lines go to `segments` if it is given.
+/// Also the triangles, where the format has any; lines go to `lines` if it is given.
 TriangleMesh read_surface(const std::string& path, const Run& run, ReadReport& report,
-                          Segments* segments = nullptr);
+                          FileLines* lines = nullptr);
 
 /// How to write to standard output; a path's ending says it otherwise.
 FileFormat output_format(const std::string& path, FileFormat of_stdout);

@@ -111,26 +111,26 @@ Scene make_scene(const TriangleMesh& mesh, const SceneOptions& options) {
   return scene;
 }
 
-Scene make_line_scene(const Polylines& polylines) {
+Scene make_line_scene(const std::vector<Vec3>& vertices, const FileLines& lines) {
   Scene scene;
   LineLayer& layer = scene.lines.emplace_back();
-  std::vector<std::size_t> ends(polylines.points.size(), 0);
-  for (const auto& line : polylines.lines) {
+  std::vector<std::size_t> ends(vertices.size(), 0);
+  for (const auto& line : lines) {
     auto& points = layer.lines.emplace_back();
-    for (const std::uint32_t v : line) points.push_back(polylines.points[v]);
+    for (const std::uint32_t v : line) points.push_back(vertices[v]);
     layer.colors.push_back(curve_color(layer.colors.size()));
     const bool closed = line.front() == line.back();
     if (!closed) ++ends[line.front()], ++ends[line.back()];
   }
   PointLayer beads;
   for (std::size_t v = 0; v < ends.size(); ++v)
-    if (ends[v] > 0) beads.points.push_back(polylines.points[v]);
+    if (ends[v] > 0) beads.points.push_back(vertices[v]);
   beads.color = kind_color(PointKind::corner);
   beads.style = PointStyle::beads;
-  const Vec3 size = bounding_box(polylines.points).size();
+  const Vec3 size = bounding_box(vertices).size();
   beads.spacing = bead_share * std::max({size.x, size.y, size.z});
-  scene.legend.push_back({"curves", layer.colors.empty() ? beads.color : layer.colors.front(),
-                          polylines.lines.size()});
+  scene.legend.push_back(
+      {"curves", layer.colors.empty() ? beads.color : layer.colors.front(), lines.size()});
   if (!beads.points.empty()) {
     scene.legend.push_back({"ends and corners", beads.color, beads.points.size()});
     scene.points.push_back(std::move(beads));

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "spigolo/core/triangle_mesh.h"
-#include "spigolo/io/polyline_reader.h"
+#include "spigolo/io/file_lines.h"
 #include "spigolo/render/scene.h"
 
 namespace spigolo {
@@ -25,8 +25,8 @@ struct SceneOptions {
 /// A scene of one file. Throws UsageError if it has no such attribute.
 Scene make_scene(const TriangleMesh& mesh, const SceneOptions& options);
 
-/// Lines in a colour each, and a bead where they end or meet.
-Scene make_line_scene(const Polylines& polylines);
+/// Lines over these vertices in a colour each, and a bead where they end or meet.
+Scene make_line_scene(const std::vector<Vec3>& vertices, const FileLines& lines);
 
 /// Adds the layers and legend of `more`; the first colour bar stays.
 void merge(Scene& scene, Scene more);

@@ -125,22 +125,15 @@ std::string panel_title(const RenderCommand& c, std::size_t i) {
   return c.files.size() == 1 ? "" : std::filesystem::path(c.files[i]).filename().string();
 }
 
-bool has_lines(const ReadReport& seen) {
-  return seen.lines > 0 ||
-         std::find(seen.skipped.begin(), seen.skipped.end(), "element edge") != seen.skipped.end();
-}
-
 Scene read_scene(const std::string& path, const SceneOptions& options, Run& run) {
   ReadReport seen;
-  const TriangleMesh mesh = read_surface(path, run, seen);
+  FileLines lines;
+  const TriangleMesh mesh = read_surface(path, run, seen, &lines);
   run.check_memory(mesh.vertices.size(), bytes_per_point);
   if (bounding_box(mesh.vertices.points).empty())
     run.warn(path + " has no point with finite coordinates; there is nothing to see of it");
-  if (path != "-" && mesh.triangles.empty() && has_lines(seen)) {
-    const FileBytes file(path);
-    return make_line_scene(read_polylines(file.view(), file_format(path, FileUse::read_cloud)));
-  }
   warn(seen, path, run);
+  if (mesh.triangles.empty() && !lines.empty()) return make_line_scene(mesh.vertices.points, lines);
   return make_scene(mesh, options);
 }
 

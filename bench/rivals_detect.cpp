@@ -262,6 +262,24 @@ Sets constructed(const RivalPlaces& places) {
   return sets;
 }
 
+/// The thesis's comparison with PCA, where it marks wide bands.
+void figure_34(Report& report, const RivalPlaces& places, const Judged& judged) {
+  Sets sets;
+  for (const double percent : {0.0, 1.2}) {
+    SynthOptions options;
+    options.shape = "hole17k", options.noise_percent = percent;
+    const SynthCloud s = make_cloud(options);
+    sets.push_back({{"hole17k", number(percent, 1)},
+                    s.cloud.points,
+                    read_truth(s.cloud, s.spacing, s.lattice),
+                    mean_spacing(s)});
+    ask_all(places, sets.back());
+  }
+  report.heading(3, "Figure 34: the thesis's cube with a hole, thin F1");
+  report.text("Samples on the edges, noise in percent as in Table 2; the settings from above.");
+  add_table(report, sets, {"set", "noise %"}, Scoring::thin, judged);
+}
+
 void labelled(Report& report, const RivalPlaces& places, const fs::path& folder,
               const Judged& judged) {
   Sets sets;
@@ -303,6 +321,7 @@ void rivals_detect(Report& report, const RivalPlaces& places, const fs::path& da
   add_table(report, sets, {"shape", "samples", "noise"}, Scoring::tolerant, judged);
   report.text("Thin F1, the same settings:");
   add_table(report, sets, {"shape", "samples", "noise"}, Scoring::thin, judged);
+  figure_34(report, places, judged);
   if (data.empty()) return;
   for (const char* folder : {"clean", "noisy"})
     labelled(report, places, data / "abc" / folder, judged);

@@ -16,7 +16,6 @@
 #include "io/support.h"
 #include "spigolo/core/error.h"
 #include "spigolo/io/curve_tables.h"
-#include "spigolo/io/polyline_reader.h"
 
 namespace spigolo::test {
 namespace {
@@ -258,13 +257,16 @@ TEST(CurveFiles, linesComeBackFromObjAndPly) {
     write_curves(out, curve_format(file), n);
     out.commit();
     const FileBytes bytes(folder / file);
-    const Polylines lines = read_polylines(bytes.view(), file_format(file, FileUse::read_cloud));
-    ASSERT_EQ(lines.lines.size(), n.curves.size()) << file;
+    FileLines lines;
+    const std::vector<Vec3> points =
+        read_mesh(bytes.view(), file_format(file, FileUse::read_mesh), nullptr, &lines)
+            .vertices.points;
+    ASSERT_EQ(lines.size(), n.curves.size()) << file;
     for (std::size_t c = 0; c < n.curves.size(); ++c) {
       const std::size_t extra = n.curves[c].closed ? 1 : 0;
-      ASSERT_EQ(lines.lines[c].size(), n.curves[c].points.size() + extra);
+      ASSERT_EQ(lines[c].size(), n.curves[c].points.size() + extra);
       for (std::size_t i = 0; i < n.curves[c].points.size(); ++i)
-        EXPECT_EQ(lines.points[lines.lines[c][i]], n.curves[c].points[i]);
+        EXPECT_EQ(points[lines[c][i]], n.curves[c].points[i]);
     }
   }
 }
@@ -272,7 +274,8 @@ TEST(CurveFiles, linesComeBackFromObjAndPly) {
 TEST(CurveFiles, damagedLinesAreRefused) {
   const std::string obj = "v 0 0 0\nv 1 0 0\nl 1 3\n";
   const InputBytes bytes = as_input(obj);
-  EXPECT_THROW(read_polylines(bytes, FileFormat::obj), InputError);
+  FileLines lines;
+  EXPECT_THROW(read_mesh(bytes, FileFormat::obj, nullptr, &lines), InputError);
 }
 
 TEST(CurveFiles, namesAndUnitsAreChecked) {

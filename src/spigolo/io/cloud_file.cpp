@@ -45,12 +45,12 @@ PointCloud read_table(const InputBytes& input, bool is_pts, ReadReport& report) 
 }
 
 TriangleMesh read_polygons(const InputBytes& input, FileFormat format, bool with_faces,
-                           ReadReport& report, Segments* segments = nullptr) {
+                           ReadReport& report, FileLines* lines = nullptr) {
   switch (format) {
     case FileFormat::ply:
-      return read_ply(input, with_faces, report, segments);
+      return read_ply(input, with_faces, report, lines);
     case FileFormat::obj:
-      return read_obj(input, with_faces, report, segments);
+      return read_obj(input, with_faces, report, lines);
     case FileFormat::off:
       return read_off(input, with_faces, report);
     case FileFormat::stl:
@@ -104,9 +104,9 @@ PointCloud read_cloud(const std::filesystem::path& path, ReadReport* report) {
 }
 
 TriangleMesh read_mesh(const InputBytes& input, FileFormat format, ReadReport* report,
-                       Segments* segments) {
+                       FileLines* lines) {
   return guarded(input, report,
-                 [&](ReadReport& r) { return read_polygons(input, format, true, r, segments); });
+                 [&](ReadReport& r) { return read_polygons(input, format, true, r, lines); });
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& path, ReadReport* report) {

@@ -10,6 +10,7 @@
 #include "spigolo/core/triangle_mesh.h"
 #include "spigolo/io/atomic_file.h"
 #include "spigolo/io/file_format.h"
+#include "spigolo/io/file_lines.h"
 #include "spigolo/io/input_bytes.h"
 #include "spigolo/io/read_report.h"
 #include "spigolo/io/write_options.h"
@@ -28,9 +29,9 @@ PointCloud read_cloud(const InputBytes& input, FileFormat format, ReadReport* re
 /// Reads the triangles of .ply .obj .off .stl, polygons as fans; STL vertices of equal coordinates
 /// are made one. Throws as read_cloud does.
 TriangleMesh read_mesh(const std::filesystem::path& path, ReadReport* report = nullptr);
-/// segments: receives lines, too, where the format has any: the element 'edge' of PLY, 'l' of OBJ.
+/// lines: receives the lines, too, where the format has any: the element 'edge' of PLY, 'l' of OBJ.
 TriangleMesh read_mesh(const InputBytes& input, FileFormat format, ReadReport* report = nullptr,
-                       Segments* segments = nullptr);
+                       FileLines* lines = nullptr);
 
 /// Writes by ending, whole or not at all; "-" writes xyz to standard output. Throws UsageError if
 /// the target cannot be written or the format cannot hold the cloud, Error if the disk is full.

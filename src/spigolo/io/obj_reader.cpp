@@ -20,12 +20,12 @@ constexpr std::size_t most_numbers = 7;  // x y z w r g b
 
 class ObjReader {
  public:
-  ObjReader(const InputBytes& input, bool with_faces, ReadReport& report, Segments* segments)
+  ObjReader(const InputBytes& input, bool with_faces, ReadReport& report, FileLines* file_lines)
       : lines_(input),
         input_(input),
         with_faces_(with_faces),
         report_(report),
-        segments_(segments) {}
+        file_lines_(file_lines) {}
 
   TriangleMesh read() {
     report_.format = "obj";
@@ -63,7 +63,7 @@ class ObjReader {
       if (with_faces_) take_face(line);
     } else if (keyword == "l") {
       ++report_.lines;
-      if (segments_ != nullptr) take_line(line);
+      if (file_lines_ != nullptr) take_line(line);
     }
   }
 
@@ -108,8 +108,7 @@ class ObjReader {
     corners_.clear();
     for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest))
       corners_.push_back(corner(word));
-    for (std::size_t i = 1; i < corners_.size(); ++i)
-      segments_->push_back({corners_[i - 1], corners_[i]});
+    if (corners_.size() > 1) file_lines_->push_back(corners_);
   }
 
   void take_face(std::string_view rest) {
@@ -139,7 +138,7 @@ class ObjReader {
   const InputBytes& input_;
   bool with_faces_;
   ReadReport& report_;
-  Segments* segments_;
+  FileLines* file_lines_;
   TriangleMesh mesh_;
   PolygonFans fans_;
   std::vector<std::vector<double>> channels_{3};  // colours, as long as every vertex had one
@@ -151,8 +150,8 @@ class ObjReader {
 }  // namespace
 
 TriangleMesh read_obj(const InputBytes& input, bool with_faces, ReadReport& report,
-                      Segments* segments) {
-  return ObjReader(input, with_faces, report, segments).read();
+                      FileLines* lines) {
+  return ObjReader(input, with_faces, report, lines).read();
 }
 
 }  // namespace spigolo

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "spigolo/core/triangle_mesh.h"
+#include "spigolo/io/file_lines.h"
 #include "spigolo/io/input_bytes.h"
 #include "spigolo/io/read_report.h"
 
@@ -16,8 +17,8 @@ namespace spigolo {
 /// Lines are counted; all else is skipped.
 /// Throws InputError with the number of the line for what cannot be read, and if there is no
 /// vertex. A file cut between two lines cannot be told from a whole one.
-/// segments: receives the pieces of the 'l' polylines if it is given.
+/// lines: receives the 'l' polylines if it is given.
 TriangleMesh read_obj(const InputBytes& input, bool with_faces, ReadReport& report,
-                      Segments* segments = nullptr);
+                      FileLines* lines = nullptr);
 
 }  // namespace spigolo

@@ -39,13 +39,13 @@ std::size_t find_polygon(const PlyElementHeader& element) {
 // Walks the elements of one file and keeps what is wanted.
 class PlyReader {
  public:
-  PlyReader(const InputBytes& input, bool with_faces, ReadReport& report, Segments* segments)
+  PlyReader(const InputBytes& input, bool with_faces, ReadReport& report, FileLines* lines)
       : input_(input),
         header_(parse_ply_header(input)),
         body_(input, header_),
         with_faces_(with_faces),
         report_(report),
-        segments_(segments) {}
+        lines_(lines) {}
 
   TriangleMesh read() {
     report_.format = "ply";
@@ -57,7 +57,7 @@ class PlyReader {
         read_vertices(element);
       else if (element.name == "face")
         read_faces(element);
-      else if (element.name == "edge" && segments_ != nullptr)
+      else if (element.name == "edge" && lines_ != nullptr)
         read_edges(element);
       else
         skip(element);
@@ -115,8 +115,15 @@ class PlyReader {
       report_.warnings.push_back("the element 'edge' has no vertex1 and vertex2; it is not read");
       return;
     }
-    for (std::size_t i = 0; i < element.count; ++i)
-      segments_->push_back({vertex_index(columns[ends[0]][i]), vertex_index(columns[ends[1]][i])});
+    const std::size_t curve = find_scalar(element, "scalar_curve");
+    const bool named = curve < element.properties.size();
+    for (std::size_t i = 0; i < element.count; ++i) {
+      const std::uint32_t from = vertex_index(columns[ends[0]][i]),
+                          to = vertex_index(columns[ends[1]][i]);
+      const bool same = i > 0 && (!named || columns[curve][i] == columns[curve][i - 1]);
+      if (!same || lines_->back().back() != from) lines_->push_back({from});
+      lines_->back().push_back(to);
+    }
   }
 
   std::uint32_t vertex_index(double value) {
@@ -152,7 +159,7 @@ class PlyReader {
   PlyBody body_;
   bool with_faces_;
   ReadReport& report_;
-  Segments* segments_;
+  FileLines* lines_;
   TriangleMesh mesh_;
   PolygonFans fans_;
   bool has_vertices_ = false;
@@ -163,8 +170,8 @@ class PlyReader {
 }  // namespace
 
 TriangleMesh read_ply(const InputBytes& input, bool with_faces, ReadReport& report,
-                      Segments* segments) {
-  return PlyReader(input, with_faces, report, segments).read();
+                      FileLines* lines) {
+  return PlyReader(input, with_faces, report, lines).read();
 }
 
 }  // namespace spigolo

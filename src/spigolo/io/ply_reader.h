@@ -5,6 +5,7 @@
 #pragma once
 
 #include "spigolo/core/triangle_mesh.h"
+#include "spigolo/io/file_lines.h"
 #include "spigolo/io/input_bytes.h"
 #include "spigolo/io/read_report.h"
 
@@ -17,8 +18,8 @@ namespace spigolo {
 /// fans; without, they are counted only.
 /// Throws InputError if the header or body is damaged, or the file shorter than the header claims;
 /// nothing is allocated before the bytes are known to be there.
-/// segments: receives the element 'edge' (vertex1, vertex2) if it is given.
+/// lines: receives the element 'edge' (vertex1, vertex2) if it is given.
 TriangleMesh read_ply(const InputBytes& input, bool with_faces, ReadReport& report,
-                      Segments* segments = nullptr);
+                      FileLines* lines = nullptr);
 
 }  // namespace spigolo

@@ -77,7 +77,7 @@ std::vector<Section> sections(const Arguments& a) {
   return {{"thesis", thesis_tables},
           {"lattice", off_the_lattice},
           {"noise", [=](Report& r) { noise_map(r, shipped); }},
-          {"fillets", fillets},
+          {"fillets", [=](Report& r) { fillets(r, shipped); }},
           {"creases", creases},
           {"hardships", hardships},
           {"chapter4", [=](Report& r) { chapter4(r, a.data); }},

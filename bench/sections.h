@@ -15,7 +15,8 @@ void thesis_tables(Report& report);    // tables 1 and 2, section 3.7.1, figure 
 void off_the_lattice(Report& report);  // what the thesis could not measure
 /// The picture noise-map.png goes to `pictures`.
 void noise_map(Report& report, const std::filesystem::path& pictures);
-void fillets(Report& report);
+/// The picture fillets.png goes to `pictures`.
+void fillets(Report& report, const std::filesystem::path& pictures);
 void creases(Report& report);
 void hardships(Report& report);
 /// data: folder with fandisk.off, may be empty.

@@ -22,10 +22,10 @@ bool sharp(const SheetVerdict& v) {
   return v.kind == PointKind::edge || v.kind == PointKind::corner;
 }
 
-// Coefficients of the logistic model, one fit to 23 739 marked points.
+// Coefficients of the logistic model, one fit to 19 005 marked points.
 double log_odds(double noise, double away, double angle, double alike, bool corner) {
-  return -0.578 - 9.53 * noise + (12.735 * noise - 7.358) * away + (5.982 - 2.935 * noise) * angle +
-         (0.195 + 0.07 * noise) * alike + (corner ? 1.109 : 0);
+  return -0.346 - 4.891 * noise + (10.471 * noise - 7.208) * away +
+         (5.941 - 5.582 * noise) * angle + (0.07 + 0.295 * noise) * alike + (corner ? 2.343 : 0);
 }
 
 }  // namespace

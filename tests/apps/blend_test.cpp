@@ -99,6 +99,12 @@ TEST_F(BlendVerb, sharpLabelsEdgesButNeverTheCollar) {
   ASSERT_EQ(run({cloud, tube, "--sharp", "-o", path("out.ply")}).status, 0);
   const PointCloud blended = read_cloud(path("out.ply"));
   const auto source = values_of(blended, "scalar_source"), kind = values_of(blended, "scalar_kind");
+  // Face and collar are smooth before; the cube's own samples lie on it.
+  ASSERT_EQ(run({cloud, tube, "-o", path("smooth.ply")}).status, 0);
+  const PointCloud smooth = read_cloud(path("smooth.ply"));
+  ASSERT_EQ(smooth.size(), blended.size());
+  for (std::size_t i = 0; i < smooth.size(); ++i)
+    EXPECT_LE(distance(smooth.points[i], blended.points[i]), source[i] == 0 ? 1e-3 : 0) << i;
   std::size_t edges = 0, on_collar = 0, beside = 0;
   for (std::size_t i = 0; i < kind.size(); ++i) {
     const bool feature = kind[i] == 1 || kind[i] == 2;

@@ -53,11 +53,9 @@ std::vector<char> beside_collar(const Blend& result) {
   return beside;
 }
 
-}  // namespace
-
-Features label_blend(std::span<const Vec3> cloud, const Blend& result, const Job& job) {
+// Labels of the blend, near the collar those of the cloud alone.
+Features merged_labels(const Features& alone, const Blend& result, const Job& job) {
   Features features = detect(result.points, {}, job).features;
-  const Features alone = detect(cloud, {}, job).features;
   const std::vector<char> beside = beside_collar(result);
   for (std::size_t i = 0; i < result.points.size(); ++i) {
     if (!beside[i]) continue;
@@ -69,18 +67,28 @@ Features label_blend(std::span<const Vec3> cloud, const Blend& result, const Job
   return features;
 }
 
+}  // namespace
+
+Features label_blend(std::span<const Vec3> cloud, const Blend& result, const Job& job) {
+  return merged_labels(detect(cloud, {}, job).features, result, job);
+}
+
+// Face and collar are where they should be; the samples of the cloud come onto the sharp surface of
+// the cloud alone, to which the collar is no false side.
 SharpBlend blend_sharp(std::span<const Vec3> cloud, const NurbsFace& face,
                        const BlendOptions& options, const Job& job) {
   SharpBlend out;
   out.blend = blend(cloud, face, options, job);
-  out.features = label_blend(cloud, out.blend, job);
+  const Features alone = detect(cloud, {}, job).features;
+  out.features = merged_labels(alone, out.blend, job);
   SmoothOptions smoothing;
-  smoothing.features = &out.features;
-  const Smoothed smoothed = smooth(out.blend.points, smoothing, job);
-  for (std::size_t i = 0; i < smoothed.size(); ++i) {
-    if (!on_surface(smoothed.status[i])) continue;
-    const Vec3& n = smoothed.normal[i];
-    out.blend.points[i] = smoothed.position[i];
+  smoothing.features = &alone;
+  const Smoothed smoothed = smooth(cloud, smoothing, job);
+  for (std::size_t i = 0; i < out.blend.cloud_index.size(); ++i) {
+    const std::uint32_t from = out.blend.cloud_index[i];
+    if (!on_surface(smoothed.status[from])) continue;
+    const Vec3& n = smoothed.normal[from];
+    out.blend.points[i] = smoothed.position[from];
     out.blend.normals[i] = dot(n, out.blend.normals[i]) < 0 ? -n : n;
   }
   return out;

@@ -10,11 +10,12 @@
 namespace spigolo {
 
 struct SharpBlend {
-  Blend blend;        // its points and normals projected onto the sharp surface
+  Blend blend;        // the samples of the cloud projected onto its sharp surface
   Features features;  // one entry per point of the blend
 };
 
-/// Thesis §5.4.3: first the blend, then the labels of chapter 3, then the projection of chapter 4.
+/// Thesis §5.4.3: first the blend, then the labels of chapter 3, then the projection of chapter 4,
+/// for the samples of the cloud: face and collar are smooth already.
 /// The collar is never a feature; samples near it are one only if they are in the scan alone, so
 /// that the collar is no false side to them. Throws as blend() does.
 SharpBlend blend_sharp(std::span<const Vec3> cloud, const NurbsFace& face,

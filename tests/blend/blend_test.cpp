@@ -150,6 +150,19 @@ TEST(Blend, acuteTubesAndEdgesAreSmoothToo) {
   }
 }
 
+TEST(Blend, usualRadiusGivesWayWhereTheCloudIsSmall) {
+  const double lean = radians(25);
+  const Vec3 axis{std::cos(lean), 0, std::sin(lean)}, foot{20.3, 20.3, 0};
+  const NurbsFace tube = face_of(nurbs_tube({foot - axis * 30.0, axis}, 4, 90));
+  const Blend b = blend(plane(38, 41), tube, from({"v1"}, 0));
+  EXPECT_LT(b.radius, 3);
+  EXPECT_GT(b.radius, 0.9);
+  ASSERT_EQ(b.warnings.size(), 1u);
+  EXPECT_NE(b.warnings[0].find("no room"), std::string::npos);
+  EXPECT_LE(b.borders[0].quality.gap, 1.15);
+  EXPECT_THROW(blend(plane(38, 41), tube, from({"v1"}, 3)), NoResultError);
+}
+
 TEST(Blend, handleHasTwoCollars) {
   const NurbsFace handle = face_of(nurbs_u_tube({{10.5, 20.5, 36}, ez}, ex, 4, 14, 20));
   const Blend b = blend(cube(), handle, from({"v=0.5+", "v=0.5-"}, 3));

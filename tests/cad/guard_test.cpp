@@ -9,6 +9,7 @@
 #include "spigolo/cad/cad_stream.h"
 #include "spigolo/cad/nurbs_shapes.h"
 #include "spigolo/core/error.h"
+#include "spigolo/core/random.h"
 
 namespace spigolo {
 namespace {
@@ -68,6 +69,23 @@ TEST(CadStream, refusesWhatIsCutOrTooLongOrCounterfeit) {
   std::string huge = face;  // the number of knots
   for (std::size_t i = 8; i < 16; ++i) huge[i] = '\x7f';
   EXPECT_THROW(decode_face(huge), Error);
+}
+
+TEST(CadStream, damagedBytesGiveAValidFaceOrAnError) {
+  const std::string good = encode(trimmed_tube());
+  Random random(8);
+  std::size_t refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string bytes = good;
+    for (std::size_t k = 0; k <= random.below(3); ++k)
+      bytes[random.below(bytes.size())] = static_cast<char>(random.below(256));
+    try {
+      validate(decode_face(bytes));
+    } catch (const Error&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 100u);
 }
 
 void expect_bad(const std::vector<std::string>& command, const std::string& why,

@@ -45,7 +45,7 @@ struct Filled {
   std::vector<std::size_t> removed_by;  // a start
 };
 
-Filled tangent_blend(const Scene& scene, std::vector<TracedStart>& traced, const Setbacks& setbacks,
+Filled tangent_blend(const Scene& scene, std::vector<TracedStart>& traced, Setbacks& setbacks,
                      const BlendOptions& options, const Job& job) {
   Filled out;
   trace_borders(scene.cloud, setbacks, traced, job);
@@ -208,7 +208,8 @@ Blend blend(std::span<const Vec3> cloud, const NurbsFace& face, const BlendOptio
       choose_starts(scene.face, scene.cloud, normals, options, job);  // 5.4.2.1
   std::vector<TracedStart> traced =
       trace_starts(scene.face, scene.cloud, starts, options, job);  // 5.4.2.2
-  const Setbacks setbacks = choose_setbacks(options, scene.cloud);
+  Setbacks setbacks = choose_setbacks(options, scene.cloud);
+  const double wanted_radius = setbacks.radius;
   const Filled filled =  // 5.4.2.2 to 5.4.2.4
       options.method == BlendMethod::tangent ? tangent_blend(scene, traced, setbacks, options, job)
                                              : linear_blend(scene, traced, setbacks, options);
@@ -224,6 +225,9 @@ Blend blend(std::span<const Vec3> cloud, const NurbsFace& face, const BlendOptio
     out.collars.push_back(collar.surface);
     out.collars.back().poles = shifted(collar.surface.poles, -scene.origin);
   }
+  if (setbacks.radius < wanted_radius)
+    out.warnings.push_back("for the usual radius the cloud has no room: it became " +
+                           std::to_string(out.radius).substr(0, 4) + " spacings");
   for (std::uint32_t i = 0; i < traced.size(); ++i) {
     out.borders.push_back(describe(scene, traced[i], setbacks, filled, i, job));
     warn(out.borders.back(), scene.cloud.points().size(), out);

@@ -9,7 +9,6 @@
 
 #include "spigolo/blend/handles.h"
 #include "spigolo/blend/patch.h"
-#include "spigolo/core/error.h"
 #include "spigolo/core/parallel.h"
 
 namespace spigolo {
@@ -164,9 +163,7 @@ BetaReport find_betas(const CloudSide& cloud, const CollarCurve& collar, BorderL
                  for (std::size_t i = begin; i < end; ++i) ends[i] = march.run(strands[i]);
                });
   const auto off = std::count(ends.begin(), ends.end(), March::off);
-  if (off > 0)
-    throw NoResultError("the collar is wider than the cloud it runs on: " + std::to_string(off) +
-                        " of its lines leave the cloud; take a smaller radius or width");
+  if (off > 0) throw NoRoomOnCloud(static_cast<std::size_t>(off));
   std::vector<char> good(strands.size());
   std::vector<Neighbor> scratch;
   for (std::size_t i = 0; i < strands.size(); ++i) {

@@ -22,6 +22,8 @@ constexpr double inside_winding = 0.75;  // of a start that lies inside
 constexpr int asked_places = 5;          // of a start, whether they lie inside
 constexpr double widest_gap = 1;         // [spacings] of alphas or betas, before lines are added
 constexpr int most_rounds = 3;
+constexpr double shrinking = 0.75;  // of a radius for which the cloud has no room
+constexpr int most_shrinkings = 4;
 constexpr double least_apart = 3;     // [spacings] betas of two collars
 constexpr double least_cross = 1e-7;  // share of the range between two lines
 
@@ -104,6 +106,7 @@ BetaReport find_borders(const CloudSide& cloud, const Setbacks& setbacks, Traced
 void trace_one(const CloudSide& cloud, const Setbacks& setbacks, std::span<const Vec3> others,
                TracedStart& t, const Job& job) {
   const double d = cloud.spacing();
+  t.loop.widening = 0;
   Widening widening(setbacks.radius);
   for (int round = 0;; ++round) {
     set_directions(t.loop);
@@ -166,10 +169,18 @@ std::vector<TracedStart> trace_starts(const NurbsFace& face, const CloudSide& cl
   return traced;
 }
 
-void trace_borders(const CloudSide& cloud, const Setbacks& setbacks,
-                   std::vector<TracedStart>& traced, const Job& job) {
-  for (std::size_t i = 0; i < traced.size(); ++i)
-    trace_one(cloud, setbacks, other_curves(traced, i), traced[i], job);
+void trace_borders(const CloudSide& cloud, Setbacks& setbacks, std::vector<TracedStart>& traced,
+                   const Job& job) {
+  for (int tries = 0;; ++tries) {
+    try {
+      for (std::size_t i = 0; i < traced.size(); ++i)
+        trace_one(cloud, setbacks, other_curves(traced, i), traced[i], job);
+      break;
+    } catch (const NoRoomOnCloud&) {
+      if (!setbacks.chosen || tries == most_shrinkings) throw;
+      setbacks.radius *= shrinking;
+    }
+  }
   require_apart(traced, cloud.spacing());
 }
 

@@ -33,9 +33,10 @@ std::vector<TracedStart> trace_starts(const NurbsFace& face, const CloudSide& cl
                                       const std::vector<BlendStart>& starts,
                                       const BlendOptions& options, const Job& job);
 
-/// Setbacks, alphas and betas of every start, with more lines where these are far apart. Throws
+/// Setbacks, alphas and betas of every start, with more lines where these are far apart. A radius
+/// that the user has not chosen becomes smaller if the cloud has no room for the collar. Throws
 /// NoResultError where there is no room, or where two collars overlap.
-void trace_borders(const CloudSide& cloud, const Setbacks& setbacks,
-                   std::vector<TracedStart>& traced, const Job& job);
+void trace_borders(const CloudSide& cloud, Setbacks& setbacks, std::vector<TracedStart>& traced,
+                   const Job& job);
 
 }  // namespace spigolo

@@ -9,7 +9,6 @@
 
 #include "spigolo/blend/handles.h"
 #include "spigolo/blend/patch.h"
-#include "spigolo/core/error.h"
 #include "spigolo/core/parallel.h"
 
 namespace spigolo {
@@ -159,9 +158,7 @@ void mark_folds(const BorderLoop& loop, std::vector<char>& good) {
 
 void require_room(const std::vector<Roll>& rolls, const std::string& start) {
   const auto off = std::count(rolls.begin(), rolls.end(), Roll::off_cloud);
-  if (off > 0)
-    throw NoResultError("the collar is wider than the cloud it runs on: " + std::to_string(off) +
-                        " of its lines leave the cloud; take a smaller radius or width");
+  if (off > 0) throw NoRoomOnCloud(static_cast<std::size_t>(off));
   if (std::find(rolls.begin(), rolls.end(), Roll::off_face) != rolls.end())
     throw NoResultError(
         "the collar is wider than the face it runs on: the ball does not come to "

@@ -12,8 +12,8 @@ namespace spigolo {
 /// ball touches the face at alpha and the MLS surface at beta. Sets alpha, beta, their normals,
 /// handles, height and width. A ball that finds no such place, or whose beta runs against the order
 /// of the strands (a corner narrower than the ball), is put between its neighbors. Throws
-/// NoResultError if the cloud ends before beta, if the face ends before alpha, or if half of the
-/// balls find no place.
+/// NoRoomOnCloud if the cloud ends before beta, NoResultError if the face ends before alpha, or if
+/// half of the balls find no place.
 BetaReport roll_ball(const Isolines& isolines, const CloudSide& cloud, BorderLoop& loop,
                      const Job& job);
 

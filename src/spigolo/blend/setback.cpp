@@ -157,11 +157,11 @@ void set_directions(BorderLoop& loop) {
 
 Setbacks choose_setbacks(const BlendOptions& options, const CloudSide& cloud) {
   const double d = cloud.spacing();
-  if (options.height > 0) return {0, options.height * d, options.width * d};
+  if (options.height > 0) return {0, options.height * d, options.width * d, false};
   if (options.method == BlendMethod::linear)
-    return {0, usual_height * d, usual_height * std::sqrt(2.0) * d};
+    return {0, usual_height * d, usual_height * std::sqrt(2.0) * d, false};
   const double chosen = std::max(usual_radius, radius_per_smoothing * cloud.smoothing());
-  return {(options.radius > 0 ? options.radius : chosen) * d, 0, 0};
+  return {(options.radius > 0 ? options.radius : chosen) * d, 0, 0, options.radius <= 0};
 }
 
 void set_lengths(const Isolines& isolines, const Setbacks& setbacks, double spacing,

@@ -18,6 +18,7 @@ void set_directions(BorderLoop& loop);
 struct Setbacks {
   double radius = 0;             // of the rolling ball; 0: height and width are given
   double height = 0, width = 0;  // constant ones
+  bool chosen = false;           // the radius is no wish of the user: it may become smaller
 };
 
 /// What the options say, with every 0 replaced.

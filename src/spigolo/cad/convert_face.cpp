@@ -154,6 +154,8 @@ NurbsFace convert_face(const TopoDS_Face& face) {
     return out;
   } catch (const Standard_Failure& failure) {
     throw NoResultError("this face cannot be made a NURBS surface: " + message_of(failure));
+  } catch (const Error& error) {
+    throw NoResultError(std::string("this face cannot be made a NURBS surface: ") + error.what());
   }
 }
 

@@ -10,7 +10,6 @@
 #include "curve_score.h"
 #include "labelled.h"
 #include "sections.h"
-#include "spigolo/io/cloud_file.h"
 #include "spigolo/io/curve_writers.h"
 #include "spigolo/pipeline/lines.h"
 #include "spigolo/synth/synth.h"
@@ -233,19 +232,6 @@ void labelled(Report& report, const fs::path& data) {
   report.table({"cloud", "points", "curves", "corners", "labels near a curve",
                 "curves near a label", "labels near a mark"},
                rows);
-  rows.clear();
-  for (const char* file :
-       {"fandisk.off", "fandisk_large.off", "anchor_dense.off", "couplingdown.off"}) {
-    const Lines lines = find_lines(read_cloud(data / file).points);
-    std::array<std::size_t, curve_shape_names.size()> of{};
-    for (const FeatureCurve& curve : lines.network.curves)
-      of[static_cast<std::size_t>(curve.shape)] += curve.kind == CurveKind::edge;
-    rows.push_back({fs::path(file).stem().string(), std::to_string(lines.network.curves.size()),
-                    std::to_string(lines.network.corners.size()), std::to_string(of[1]),
-                    std::to_string(of[2]), std::to_string(of[3]), std::to_string(of[0])});
-  }
-  report.text("Published models without labels:");
-  report.table({"cloud", "curves", "corners", "lines", "circles", "arcs", "splines"}, rows);
 }
 
 double cpu_seconds() {
@@ -290,7 +276,10 @@ void feature_lines(Report& report, const fs::path& data) {
   radii(report);
   noisy(report);
   pure_noise(report);
-  if (!data.empty()) labelled(report, data);
+  if (!data.empty()) {
+    labelled(report, data);
+    judged_models(report, data);
+  }
   times(report);
 }
 

@@ -24,6 +24,7 @@ void chapter5(Report& report, const std::filesystem::path& data,
               const std::filesystem::path& pictures);
 /// data: folder with abc/clean and the models; may be empty.
 void feature_lines(Report& report, const std::filesystem::path& data);
+void judged_models(Report& report, const std::filesystem::path& data);  // its models
 void meshing(Report& report);
 void chapter4(Report& report, const std::filesystem::path& data);     // data may be empty
 void local_lines(Report& report, const std::filesystem::path& data);  // tables 3 and 4

@@ -19,14 +19,6 @@ constexpr double stray = 0.1;          // [spacings] off the curve of its neighb
 constexpr double strays_gap = 9;       // [spacings] farther neighbors do not tell a stray
 constexpr double end_reach = 8;        // [spacings] of anchors that tell how the curve goes on
 
-// The cubic with these ends; its speed there is that of the best cubic for an arc of a circle.
-Vec3 hermite(const Vec3& a, const Vec3& along_a, const Vec3& b, const Vec3& along_b, double t) {
-  const double half_turn = std::sqrt(std::max(0.0, (1 + dot(along_a, along_b)) / 2));  // cosine
-  const double speed = distance(a, b) * 2 / (1 + half_turn), r = 1 - t;
-  return a * (r * r * (1 + 2 * t)) + along_a * (speed * t * r * r) + b * (t * t * (3 - 2 * t)) -
-         along_b * (speed * t * t * r);
-}
-
 }  // namespace
 
 Anchors::Anchors(const Guide& guide, std::span<const Member> members,
@@ -58,7 +50,7 @@ double Anchors::strayed(std::size_t i) const {
   const Anchor *a = around(i, -1, first), *b = around(i, 1, second);
   if (!a || !b || b->arc - a->arc > strays_gap) return 0;
   const double t = std::clamp((anchors_[i].arc - a->arc) / (b->arc - a->arc), 0.0, 1.0);
-  const Vec3 there = hermite(a->place, a->direction, b->place, b->direction, t);
+  const Vec3 there = cubic_between({a->place, a->direction}, {b->place, b->direction}, t);
   const Vec3 d = anchors_[i].place - there;
   return norm(d - anchors_[i].direction * dot(d, anchors_[i].direction));
 }
@@ -101,7 +93,7 @@ std::optional<Vec3> Anchors::at(double s) const {
   const Anchor *a = around(next, -1, first), *b = around(next, 0, second);
   if (b->arc - a->arc > widest_gap) return std::nullopt;
   const double t = (s - a->arc) / (b->arc - a->arc);
-  return hermite(a->place, a->direction, b->place, b->direction, t);
+  return cubic_between({a->place, a->direction}, {b->place, b->direction}, t);
 }
 
 }  // namespace spigolo

@@ -18,6 +18,7 @@ constexpr double most_turn = 0.35;    // [rad] between the tangents of the two e
 constexpr double miss = 0.25;         // [spacings] an end may pass off the other one
 constexpr double miss_slope = 0.05;   // more of it for each spacing of the gap
 constexpr double exact_longest = 14;  // [spacings] the same where samples do not scatter
+constexpr double fill_step = 1;       // [spacings] between places across an exact gap
 constexpr double exact_turn_slope = 0.05;
 constexpr double exact_miss_slope = 0.04;  // and the ends meet half way
 constexpr double exact_scatter = 0.03;     // [spacings] with less, samples lie on the crease
@@ -87,9 +88,17 @@ struct Partner {
 };
 constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 
+// Places on the cubic that leads from one end to the other.
+void fill(Chain& chain, const ChainEnd& from, const ChainEnd& to, double gap) {
+  const CurveEnd a{from.model.place, from.model.tangent}, b{to.model.place, -to.model.tangent};
+  const double steps = std::floor(gap / fill_step);
+  for (double k = 1; k < steps; ++k) chain.places.push_back(cubic_between(a, b, k / steps));
+}
+
 // From one end of a chain through all bridges.
 Chain run_through(std::span<const Chain> chains, std::span<const ChainEnd> ends,
-                  std::span<const Partner> partner, std::size_t start, std::vector<char>& seen) {
+                  std::span<const Partner> partner, std::size_t start, std::vector<char>& seen,
+                  bool exact) {
   Chain joined;
   std::size_t entry = start;
   while (true) {
@@ -99,6 +108,7 @@ Chain run_through(std::span<const Chain> chains, std::span<const ChainEnd> ends,
     if (partner[exit].end == nobody) break;
     joined.bridged = joined.bridged || partner[exit].gap > plain_gap;
     entry = partner[exit].end;
+    if (exact) fill(joined, ends[exit], ends[entry], partner[exit].gap);
     if (entry == start) {
       joined.closed = joined.places.size() > 2;
       break;
@@ -120,7 +130,8 @@ std::vector<Chain> bridge_gaps(std::vector<Chain> chains, std::span<const ChainE
   std::vector<Chain> result;
   std::vector<char> seen(chains.size(), 0);
   const auto collect = [&](std::size_t end) {
-    if (!seen[ends[end].chain]) result.push_back(run_through(chains, ends, partner, end, seen));
+    if (!seen[ends[end].chain])
+      result.push_back(run_through(chains, ends, partner, end, seen, scatter < exact_scatter));
   };
   for (std::size_t e = 0; e < ends.size(); ++e)
     if (partner[e].end == nobody) collect(e);

@@ -18,8 +18,9 @@
 namespace spigolo {
 namespace {
 
-constexpr double member_reach = 1;  // [spacings] samples this close belong to a curve
-constexpr double left_reach = 0.9;  // [spacings] marks farther from all curves are left over
+constexpr double member_reach = 1;   // [spacings] samples this close belong to a curve
+constexpr double least_border = 10;  // [spacings] shorter open ones are gaps between samples
+constexpr double left_reach = 0.9;   // [spacings] marks farther from all curves are left over
 constexpr int corner_rounds = 3;
 constexpr double exact_scatter = 0.03;  // [spacings] with less, samples lie on the crease
 constexpr double sure_reach = 1.5;      // [spacings] round a place seen for sure
@@ -221,6 +222,10 @@ void trace_rims(Layer layer, std::span<const CreaseSample> marks, const Survey& 
 
 void trace_borders(const Layer& layer, const Job& job, FeatureCurves& network) {
   RawNetwork raw = join_chains(link_samples(layer.samples, layer.scatter), {}, layer.scatter);
+  std::erase_if(raw.curves, [](const RawCurve& curve) {
+    return !curve.chain.closed && curve.junction[0] == no_junction &&
+           curve.junction[1] == no_junction && curve.chain.length() < least_border;
+  });
   std::vector<CurveDraft> drafts = drafts_of(raw);
   follow_samples(drafts, layer, job);
   recognize_all(drafts, layer, job);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace spigolo {
@@ -94,6 +95,13 @@ LocalCurve fit_local_curve(std::span<const Vec3> samples, const Vec3& origin, co
   curve.support = static_cast<int>(
       std::count_if(weight.begin(), weight.end(), [](double w) { return w >= 0.5; }));
   return curve;
+}
+
+Vec3 cubic_between(const CurveEnd& a, const CurveEnd& b, double t) {
+  const double half_turn = std::sqrt(std::max(0.0, (1 + dot(a.along, b.along)) / 2));  // cosine
+  const double speed = distance(a.place, b.place) * 2 / (1 + half_turn), r = 1 - t;
+  return a.place * (r * r * (1 + 2 * t)) + a.along * (speed * t * r * r) +
+         b.place * (t * t * (3 - 2 * t)) - b.along * (speed * t * t * r);
 }
 
 }  // namespace spigolo

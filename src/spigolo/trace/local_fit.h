@@ -31,4 +31,13 @@ struct LocalFitOptions {
 LocalCurve fit_local_curve(std::span<const Vec3> samples, const Vec3& origin, const Vec3& direction,
                            const LocalFitOptions& options = {});
 
+/// A place and the direction of a curve there, unit.
+struct CurveEnd {
+  Vec3 place, along;
+};
+
+/// The cubic between two places with these directions, t in [0, 1]; its speed at the ends is that
+/// of the best cubic for an arc of a circle.
+Vec3 cubic_between(const CurveEnd& a, const CurveEnd& b, double t);
+
 }  // namespace spigolo

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double smooth_turn = 0.4;      // [rad] at a junction of two curves that are one
 constexpr std::size_t least_places = 4;  // of a curve with a free end
+constexpr double companion = 2;          // least lengths of a curve beside another one
 constexpr double least_loop = 8;         // [spacings] round a closed curve
 
 bool free_end(const RawCurve& curve, std::size_t side) {
@@ -31,6 +32,17 @@ bool spur(const RawCurve& curve, double least) {
   if (open == 0) return false;
   if (open == 1) return length < 0.8 * least || curve.chain.places.size() < least_places - 1;
   return length < least || curve.chain.places.size() < least_places;
+}
+
+// Whether a place lies in the box round a curve, or that near to it.
+bool in_box(const RawCurve& curve, const Vec3& p, double near) {
+  Vec3 low = curve.chain.places.front(), high = low;
+  for (const Vec3& q : curve.chain.places) {
+    low = {std::min(low.x, q.x), std::min(low.y, q.y), std::min(low.z, q.z)};
+    high = {std::max(high.x, q.x), std::max(high.y, q.y), std::max(high.z, q.z)};
+  }
+  return p.x > low.x - near && p.y > low.y - near && p.z > low.z - near && p.x < high.x + near &&
+         p.y < high.y + near && p.z < high.z + near;
 }
 
 // Whether all places of a curve lie that near to the other one.
@@ -61,6 +73,26 @@ void drop_doubles(RawNetwork& network, double near) {
         if (runs_along(a_goes ? a : b, a_goes ? b : a, network, near))
           (a_goes ? a : b).chain.places.clear();
       }
+  std::erase_if(network.curves, [](const RawCurve& c) { return c.chain.places.empty(); });
+}
+
+// Short curves with two free ends that lie along another one, as pieces of it that strayed do.
+void drop_companions(RawNetwork& network, double least, double near) {
+  std::vector<std::size_t> gone;
+  for (std::size_t c = 0; c < network.curves.size(); ++c) {
+    const RawCurve& curve = network.curves[c];
+    if (!free_end(curve, 0) || !free_end(curve, 1) || curve.chain.length() > companion * least)
+      continue;
+    const Vec3& place = curve.chain.places.front();
+    for (std::size_t o = 0; o < network.curves.size(); ++o) {
+      const RawCurve& other = network.curves[o];
+      if (o == c || other.chain.length() < curve.chain.length()) continue;
+      if (!in_box(other, place, least) || !runs_along(curve, other, network, near)) continue;
+      gone.push_back(c);
+      break;
+    }
+  }
+  for (const std::size_t c : gone) network.curves[c].chain.places.clear();
   std::erase_if(network.curves, [](const RawCurve& c) { return c.chain.places.empty(); });
 }
 
@@ -154,6 +186,7 @@ RawNetwork prune(RawNetwork network, double least) {
     const std::size_t before = network.curves.size();
     std::erase_if(network.curves, [&](const RawCurve& c) { return spur(c, least); });
     drop_doubles(network, least / 4);
+    if (round == 0) drop_companions(network, least, least / 8);
     changed = mend(network) || network.curves.size() != before;
   }
   renumber(network);

@@ -125,6 +125,15 @@ TEST(Dxf, holdsEveryCurveAsWhatItIs) {
   EXPECT_EQ(point(of_type(entities, "LINE")[0], 11), (Vec3{1, 0, 0}));
 }
 
+TEST(Dxf, bordersHaveALayerOfTheirOwn) {
+  FeatureCurves n = network();
+  n.curves[0].kind = CurveKind::border;
+  n.curves[0].convex = 0;
+  const auto lines = of_type(entities_of(dxf_text(n, {})), "LINE");
+  EXPECT_EQ(text(lines[0], 8), "BORDER");
+  EXPECT_EQ(text(lines[1], 8), "EDGE_CONVEX");
+}
+
 // The ends of an arc, computed from its group codes as the DXF reference says.
 TEST(Dxf, arcsEndWhereTheCurveDoes) {
   const FeatureCurve arc = round_curve(false, 4);

@@ -53,6 +53,8 @@ INSTANTIATE_TEST_SUITE_P(Shapes, KnownShape,
                                            Known{"star", Sampling::random, 30, 20, 30, 0},
                                            Known{"pyramid", Sampling::random, 8, 5, 8, 0},
                                            Known{"hole17k", Sampling::random, 14, 8, 12, 2},
+                                           Known{"steps", Sampling::random, 24, 16, 24, 0},
+                                           Known{"boxhole", Sampling::random, 14, 8, 12, 2},
                                            Known{"cylinder", Sampling::random, 2, 0, 0, 2},
                                            Known{"cone", Sampling::random, 1, 0, 0, 1},
                                            Known{"cylinder", Sampling::blue, 2, 0, 0, 2},
@@ -214,6 +216,34 @@ TEST(Trace, pointsLearnTheirCurve) {
     ASSERT_LT(static_cast<std::size_t>(curve), t.network().curves.size());
   }
   EXPECT_GT(static_cast<double>(named), 0.98 * static_cast<double>(features));
+}
+
+// A straight edge whose samples leave out `gap` spacings in the middle.
+FeatureCurves edge_with_gap(double gap) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 40; ++i) points.push_back({i < 20 ? i : i - 1 + gap, 0, 0});
+  Features features;
+  features.assign_surface(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    features.kind[i] = PointKind::edge;
+    features.angle[i] = features.strength[i] = 1;
+    features.crease_point[i] = points[i];
+    features.direction[i] = {1, 0, 0};
+  }
+  TraceOptions options;
+  options.spacing = 1;
+  return trace_features(points, features, options).network;
+}
+
+TEST(Trace, wideGapsAreBridgedAndMarked) {
+  const FeatureCurves narrow = edge_with_gap(3), wide = edge_with_gap(8), far = edge_with_gap(40);
+  ASSERT_EQ(narrow.curves.size(), 1u);
+  EXPECT_FALSE(narrow.curves[0].bridged);
+  ASSERT_EQ(wide.curves.size(), 1u);
+  EXPECT_TRUE(wide.curves[0].bridged);
+  EXPECT_NEAR(wide.curves[0].length(), 46, 1e-6);
+  EXPECT_LT(wide.curves[0].confidence, 0.95);
+  EXPECT_EQ(far.curves.size(), 2u);
 }
 
 // Labels that never came from a detector: many short straight edges far apart.

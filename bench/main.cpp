@@ -80,7 +80,7 @@ std::vector<Section> sections(const Arguments& a) {
           {"fillets", [=](Report& r) { fillets(r, shipped); }},
           {"creases", creases},
           {"hardships", hardships},
-          {"chapter4", [=](Report& r) { chapter4(r, a.data); }},
+          {"chapter4", [=](Report& r) { chapter4(r, a.data, a.large); }},
           {"figures", [=](Report& r) { chapter4_pictures(r, a.pictures); }},
           {"meshing", meshing},
           {"real",

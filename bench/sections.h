@@ -26,7 +26,8 @@ void chapter5(Report& report, const std::filesystem::path& data,
 void feature_lines(Report& report, const std::filesystem::path& data);
 void judged_models(Report& report, const std::filesystem::path& data);  // its models
 void meshing(Report& report);
-void chapter4(Report& report, const std::filesystem::path& data);     // data may be empty
+/// data may be empty; large: whole clouds of a million points, else of a tenth of it
+void chapter4(Report& report, const std::filesystem::path& data, bool large);
 void local_lines(Report& report, const std::filesystem::path& data);  // tables 3 and 4
 void chapter4_pictures(Report& report, const std::filesystem::path& pictures);
 /// data may be empty; large: up to ten million points.

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "spigolo/core/error.h"
 #include "spigolo/core/random.h"
 #include "spigolo/synth/synth.h"
@@ -79,6 +81,60 @@ TEST(Sharp, ProjectingTwiceIsProjectingOnce) {
     const SurfacePoint once = project_sharp(surface, q, probe);
     const SurfacePoint twice = project_sharp(surface, once.position, probe);
     EXPECT_LT(distance(once.position, twice.position), 0.02 * mean_spacing(c));
+  }
+}
+
+// Also with noise: the sheets of a place are the same for all queries near it.
+TEST(Sharp, ProjectingTwiceIsProjectingOnceWithNoise) {
+  const SynthCloud c = synth("box", Sampling::blue, 0.35);
+  const SharpSurface surface(c.cloud.points);
+  SheetProbe probe = surface.probe();
+  std::vector<double> moved;
+  for (std::size_t i = 0; i < c.cloud.size(); i += 10) {
+    const SurfacePoint once = project_sharp(surface, c.cloud.points[i], probe);
+    const SurfacePoint twice = project_sharp(surface, once.position, probe);
+    moved.push_back(distance(once.position, twice.position) / mean_spacing(c));
+  }
+  std::sort(moved.begin(), moved.end());
+  EXPECT_LT(moved[moved.size() * 99 / 100], 0.02);
+}
+
+TEST(Sharp, FarFromEdgesAThirdOfTheNoiseIsLeftAtMost) {
+  for (const char* shape : {"sphere", "box"}) {
+    const SynthCloud c = synth(shape, Sampling::blue, 0.35);
+    const SharpSurface surface(c.cloud.points);
+    SheetProbe probe = surface.probe();
+    double squares = 0, count = 0;
+    for (std::size_t i = 0; i < c.cloud.size(); ++i) {
+      if (!c.shape.creases.empty() && edge_distance(c.shape, c.exact[i]) < 6 * mean_spacing(c))
+        continue;
+      const SurfacePoint s = project_sharp(surface, c.cloud.points[i], probe);
+      squares += std::pow(surface_distance(c.shape, s.position), 2), ++count;
+    }
+    EXPECT_LT(std::sqrt(squares / count), 0.35 * 0.35 * mean_spacing(c)) << shape;
+  }
+}
+
+// Samples of a plane, and of a paraboloid seen from its axis: its height is quadratic there.
+TEST(Sharp, PlanesAndQuadricsAreReproduced) {
+  Random random(3);
+  std::vector<Vec3> plane, bowl;
+  for (int i = 0; i < 3000; ++i) {
+    const double u = random.uniform(-27, 27), v = random.uniform(-27, 27);
+    plane.push_back(Vec3{1, 2, 3} + Vec3{0.6, 0, 0.8} * u + Vec3{0, 1, 0} * v);
+    bowl.push_back({u, v, 0.01 * u * u - 0.004 * u * v + 0.006 * v * v});
+  }
+  const SharpSurface flat(plane), curved(bowl);
+  SheetProbe on_flat = flat.probe(), on_curved = curved.probe();
+  const Vec3 n{-0.8, 0, 0.6};
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 at = plane[static_cast<std::size_t>(i)];
+    const SurfacePoint s = project_sharp(flat, at + n * random.uniform(-0.5, 0.5), on_flat);
+    EXPECT_NEAR(dot(s.position - Vec3{1, 2, 3}, n), 0, 1e-9);
+  }
+  for (const double z : {-0.4, 0.0, 0.3}) {
+    const Vec3 p = project_sharp(curved, {0, 0, z}, on_curved).position;
+    EXPECT_NEAR(p.z, 0.01 * p.x * p.x - 0.004 * p.x * p.y + 0.006 * p.y * p.y, 1e-9);
   }
 }
 

@@ -15,13 +15,14 @@ namespace {
 constexpr std::size_t prepared_k = 20;  // neighbors that spacing, noise and sheets start from
 constexpr int most_looks = 3;           // the weights follow the result
 constexpr double settled_step = 0.02;   // [spacings]
-constexpr double least_reach = 6, reach_per_smoothing = 3;  // [spacings]
+constexpr double least_h = 1.3, h_per_noise = 12, largest_h = 6;  // [spacings]
+constexpr double least_reach = 6, reach_per_smoothing = 3;          // [spacings]
 
 MlsOptions settle_sharp(const MlsOptions& given, double noise) {
   MlsOptions options = settle(given, noise);  // also says what is out of range
-  const ProbeReach usual = probe_reach(noise);
-  if (given.smoothing == 0) options.smoothing = usual.smoothing;
-  if (given.k == 0) options.k = given.smoothing == 0 ? usual.k : points_for(options.smoothing);
+  if (given.smoothing == 0)
+    options.smoothing = std::clamp(least_h + h_per_noise * noise, least_h, largest_h);
+  if (given.k == 0) options.k = points_for(options.smoothing);
   if (given.reach == 0)
     options.reach = std::max(least_reach, reach_per_smoothing * options.smoothing);
   return options;

@@ -26,11 +26,14 @@ constexpr double merge_cosine = 0.8, merge_ratio = 20;  // of normals; of an F-t
 constexpr double most_cost = 9;                         // [variances] of a point on no sheet
 constexpr std::size_t fewest = 40;                   // points that are looked at by a narrowed look
 constexpr double poor_fit = 1.5, poor_floor = 0.05;  // [standard deviations], [spacings]
-constexpr double exact_ridge = 1e-5, noisy_ridge = 1e-2;
+constexpr double least_ridge = 3e-9, exact_ridge = 1e-5, noisy_ridge = 1e-2;
 
 }  // namespace
 
-double fit_ridge(double noise) { return noise < exact_noise ? exact_ridge : noisy_ridge; }
+// Curvature that samples hardly determine is worth no more than their noise lets it be.
+double fit_ridge(double noise) {
+  return noise < exact_noise ? std::clamp(noise * noise, least_ridge, exact_ridge) : noisy_ridge;
+}
 
 SheetSeparator::SheetSeparator(const SheetModel& model, double noise)
     : model_(model), unit_(std::max({exact_noise, model.tolerances.noise, noise})) {}

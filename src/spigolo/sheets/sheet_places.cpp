@@ -167,7 +167,7 @@ void separate_places(SheetModel& model, const KdTree& tree, const ProbeReach& re
   for (std::uint32_t p = 0; p < model.places.point.size(); ++p)
     if (model.places.known[p] != no_point) open.push_back(p);
   const ProbeReach wide = reach_of_places(reach);
-  double noise = 0;
+  double& noise = model.places.noise;
   const auto for_all = [&](const auto& work) {
     std::vector<PlaceSheets> next(open.size());
     parallel_for(job, "sheets", open.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -177,7 +177,8 @@ void separate_places(SheetModel& model, const KdTree& tree, const ProbeReach& re
     model.places.sheets = std::move(next);
   };
   for_all([](PlaceWork& work, std::uint32_t p, std::size_t) { return work.find(p); });
-  if (!model.tolerances.exact()) noise = noise_of(model.places.sheets);
+  if (!model.tolerances.exact())
+    noise = std::max(model.tolerances.noise, noise_of(model.places.sheets));
   for (int sweep = 0; sweep < sweeps && !model.tolerances.exact(); ++sweep)
     for_all([&](PlaceWork& work, std::uint32_t p, std::size_t) {
       return work.improve(p, model.places.sheets);

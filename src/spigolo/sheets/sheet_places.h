@@ -35,6 +35,7 @@ struct SheetPlaces {
   std::vector<std::uint32_t> point;     // of each place
   std::vector<std::uint32_t> known;     // of each place: its entry in `sheets`; no_point: one sheet
   std::vector<PlaceSheets> sheets;
+  double noise = 0;  // [spacings] of points about these sheets; 0 where it does not matter
 
   bool empty() const { return point.empty(); }
 };

@@ -66,7 +66,7 @@ const PartedRegion& SheetProbe::region_of(std::uint32_t place) {
     region_.sheets = places.sheets[entry].sheets;
     separator_.label(region_);
   }
-  return known_.emplace(place, part(region_)).first->second;
+  return known_.emplace(place, part(region_, model_.places.noise)).first->second;
 }
 
 // With noise a wide look may be too much for one quadric a sheet; then with half the points again.

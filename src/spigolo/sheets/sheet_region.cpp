@@ -8,17 +8,20 @@
 #include <cmath>
 
 #include "spigolo/sheets/normal_equations.h"
+#include "spigolo/sheets/shares.h"
 
 namespace spigolo {
 namespace {
 
-constexpr double support = 1.85;  // R in h: so the compact weight counts about as many points
+constexpr double support = 1.85;      // R in h: so the compact weight counts about as many points
+constexpr double least_share = 0.02;  // smaller ones are left out
 constexpr double least_support =
     1.2;                              // [h] the query is at the rim of the region, which is far off
 constexpr double flat_ridge = 1e-12;  // share of the weight: points on a line leave the tilt open
 
 // Memory of the weights of one sheet's points; how many count, or too few.
-int weigh(std::span<const Vec3> points, const Vec3& query, double reach2, std::vector<double>& w) {
+int weigh(std::span<const Vec3> points, std::span<const double> share, const Vec3& query,
+          double reach2, std::vector<double>& w) {
   w.resize(points.size());
   double nearest = infinity;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -28,9 +31,9 @@ int weigh(std::span<const Vec3> points, const Vec3& query, double reach2, std::v
   if (nearest > reach2) return 0;
   const double scale = 1 / (reach2 + nearest);
   int count = 0;
-  for (double& x : w) {
-    const double t = std::max(0.0, 1 - (x - nearest) * scale);
-    x = t * t * t;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double t = std::max(0.0, 1 - (w[i] - nearest) * scale);
+    w[i] = share[i] * (t * t * t);
     count += t > 0;
   }
   return count;
@@ -48,12 +51,22 @@ void gather_region(const SheetModel& model, const KdTree& tree, const Vec3& cent
   for (const Neighbor& n : region.found) region.points.push_back(model.points()[n.index]);
 }
 
-PartedRegion part(const SheetRegion& region) {
-  PartedRegion r{region.center, region.spacing, region.smoothing, 0, {}, {}, region.sheets};
+PartedRegion part(const SheetRegion& region, double noise) {
+  PartedRegion r{region.center, region.spacing, region.smoothing, 0, {}, {}, {}, region.sheets};
   r.radius = std::sqrt(region.found.back().squared_distance);
+  std::vector<std::array<double, LocalSheets::most>> shares(region.points.size());
+  const bool mixed = noise > 0 && region.sheets.count > 1;
+  for (std::size_t t = 0; t < shares.size(); ++t)
+    if (mixed)
+      shares[t] = shares_of(region.sheets, region.points[t], noise);
+    else if (region.label[t] >= 0)
+      shares[t][static_cast<std::size_t>(region.label[t])] = 1;
   for (std::size_t s = 0; s < region.sheets.count; ++s) {
-    for (std::size_t t = 0; t < region.points.size(); ++t)
-      if (region.label[t] == static_cast<int>(s)) r.points.push_back(region.points[t]);
+    for (std::size_t t = 0; t < shares.size(); ++t) {
+      if (shares[t][s] < least_share) continue;
+      r.points.push_back(region.points[t]);
+      r.share.push_back(shares[t][s]);
+    }
     r.begin[s + 1] = static_cast<std::uint32_t>(r.points.size());
   }
   return r;
@@ -68,8 +81,10 @@ void fit_around(const PartedRegion& region, const Vec3& query, double ridge,
   for (std::size_t s = 0; s < fitted.count; ++s) {
     const std::span<const Vec3> points{region.points.data() + region.begin[s],
                                        region.begin[s + 1] - region.begin[s]};
+    const std::span<const double> share{region.share.data() + region.begin[s], points.size()};
     const bool curved = region.sheets.sheet[s].is_curved();
-    if (weigh(points, query, reach * reach, weights) < (curved ? quadric_points : 3)) continue;
+    if (weigh(points, share, query, reach * reach, weights) < (curved ? quadric_points : 3))
+      continue;
     Sheet sheet = region.sheets.sheet[s];
     sheet.n = normal_at(sheet, query);
     sheet.u = any_perpendicular(sheet.n);

@@ -36,11 +36,14 @@ struct PartedRegion {
   double smoothing = 1.3;  // [spacings]
   double radius = 0;       // of the farthest point
   std::vector<Vec3> points;
+  std::vector<double> share;  // of each of them: how likely it is of that sheet
   std::array<std::uint32_t, LocalSheets::most + 1> begin{};  // points of sheet s: begin[s] on
   LocalSheets sheets;                                        // as fitted at the place
 };
 
-PartedRegion part(const SheetRegion& region);
+/// noise: [spacings] about the sheets; with any, a point near a crease counts for both sheets, as
+/// likely as it is of each. Else its label decides.
+PartedRegion part(const SheetRegion& region, double noise);
 
 /// Each sheet fitted anew, the nearer to the query the weightier, by planes where the region has
 /// planes. The weight (1 - d^2/R^2)^3 ends within the region, so that it changes smoothly as the

@@ -20,7 +20,9 @@ constexpr double plane_gain = 12;
 constexpr double far = 0.6;  // share of the width: a sheet that begins there is a plane
 constexpr int exact_rounds = 2, noisy_rounds = 4;
 constexpr double side_floor = 1e-4, side_noise = 0.3;  // [spacings], [standard deviations]
-constexpr double rare = 0.04;         // share of a noisy sheet's points that strayed over a crease
+constexpr double rare = 0.04,
+                 rare_at_places =
+                     0.1;             // share of a noisy sheet's points that strayed over a crease
 constexpr double merge_noise = 1.15;  // [standard deviations]
 constexpr double merge_cosine = 0.8, merge_ratio = 20;  // of normals; of an F-test on the residuals
 constexpr double most_cost = 9;                         // [variances] of a point on no sheet
@@ -36,7 +38,9 @@ double fit_ridge(double noise) {
 }
 
 SheetSeparator::SheetSeparator(const SheetModel& model, double noise)
-    : model_(model), unit_(std::max({exact_noise, model.tolerances.noise, noise})) {}
+    : model_(model),
+      unit_(std::max({exact_noise, model.tolerances.noise, noise})),
+      rare_(noise > 0 ? rare_at_places : rare) {}
 
 void SheetSeparator::take_one(SheetRegion& region) {
   r_ = &region;
@@ -48,17 +52,17 @@ void SheetSeparator::take_one(SheetRegion& region) {
   fit();
 }
 
-void SheetSeparator::separate(SheetRegion& region) {
+bool SheetSeparator::separate(SheetRegion& region, bool join) {
   r_ = &region;
   seed();
-  settle(model_.tolerances.noise < exact_noise ? exact_rounds : noisy_rounds);
+  return settle(model_.tolerances.noise < exact_noise ? exact_rounds : noisy_rounds, join);
 }
 
 void SheetSeparator::start_from(const LocalSheets& sheets, SheetRegion& region, int rounds) {
   r_ = &region;
   r_->sheets = sheets;
   r_->label.resize(r_->points.size());
-  settle(rounds);
+  settle(rounds, false);
 }
 
 bool halve(SheetRegion& region) {
@@ -82,15 +86,19 @@ void SheetSeparator::label(SheetRegion& region) {
   assign();
 }
 
-void SheetSeparator::settle(int rounds) {
+bool SheetSeparator::settle(int rounds, bool join) {
+  bool joined = false;
   for (int round = 0; round < rounds; ++round) {
     assign();
     fit();
-    if (model_.tolerances.noise >= exact_noise)
-      while (r_->sheets.count > 1 && merge()) fit();
+    while (join && model_.tolerances.noise >= exact_noise && r_->sheets.count > 1 && merge()) {
+      joined = true;
+      fit();
+    }
     if (r_->sheets.count < 2) break;
     note_sides();
   }
+  return joined;
 }
 
 // Greedily from the points' own sheets: the nearest point's one first, then whichever explains most
@@ -283,7 +291,7 @@ void SheetSeparator::note_sides() {
     for (std::size_t c = 0; c < r_->sheets.count; ++c)
       r_->sheets.share_above[s][c] =
           sided[s][c] > 0 ? r_->sheets.share_above[s][c] / sided[s][c] : 0.5F;
-  const double share = model_.tolerances.noise < exact_noise ? 0 : rare;
+  const double share = model_.tolerances.noise < exact_noise ? 0 : rare_;
   for (std::size_t s = 0; s < r_->sheets.count; ++s) {
     r_->sheets.data_sides[s] = total[s] == 0 ? ~std::uint64_t{0} : 0;
     for (std::uint32_t pattern = 0; pattern < 64; ++pattern)

@@ -25,8 +25,9 @@ class SheetSeparator {
   /// noise: [spacings] of points about their sheet; 0: as the model has it.
   explicit SheetSeparator(const SheetModel& model, double noise = 0);
 
-  /// Seeks the sheets among the own sheets of the region's points.
-  void separate(SheetRegion& region);
+  /// Seeks the sheets among the own sheets of the region's points. join: with noise, two that one
+  /// quadric explains about as well become one. Tells whether any did.
+  bool separate(SheetRegion& region, bool join = true);
   /// Starts from sheets that were found elsewhere: each point to the nearest one, fitted again,
   /// some rounds of it.
   void start_from(const LocalSheets& sheets, SheetRegion& region, int rounds);
@@ -43,7 +44,7 @@ class SheetSeparator {
 
  private:
   void seed();
-  void settle(int rounds);
+  bool settle(int rounds, bool join);
   void assign();
   struct Membership {
     int sheet = -1;      // whose valid part is nearest
@@ -58,6 +59,7 @@ class SheetSeparator {
 
   const SheetModel& model_;
   double unit_;  // [spacings] standard deviation of a point that lies on a sheet
+  double rare_;  // share of a sheet's points that may have strayed over a crease
   SheetRegion* r_ = nullptr;
   std::vector<double> weights_;
 };

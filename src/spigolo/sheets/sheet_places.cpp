@@ -23,6 +23,8 @@ constexpr std::size_t most_tried = 2;  // neighbors' sheets that are fitted
 constexpr std::size_t glance = 4;      // of so many points one tells whether that is worth it
 constexpr double worth = 1.25;         // a glance's score may be worse by that
 constexpr int try_rounds = 2;
+// A further sheet may lie anywhere, so some place is found where it explains the noise.
+constexpr double price_of_sheet = 15;
 constexpr double better = 2;  // by how much a score must be better to count
 
 double size_of_place(const ProbeReach& reach) {
@@ -64,8 +66,12 @@ class PlaceWork {
 
   PlaceSheets find(std::uint32_t place) {
     gather(place);
-    separator_.separate(region_);
-    return {region_.sheets, reach_, separator_.score(region_)};
+    const bool joined = separator_.separate(region_);
+    PlaceSheets found{region_.sheets, reach_, separator_.score(region_)};
+    if (!joined) return found;
+    separator_.separate(region_, false);
+    take_if_better(found);
+    return found;
   }
 
   // The same without each of its sheets; then what places near it have.
@@ -101,8 +107,13 @@ class PlaceWork {
 
   void try_sheets(const LocalSheets& sheets, PlaceSheets& best) {
     separator_.start_from(sheets, region_, try_rounds);
+    take_if_better(best);
+  }
+
+  void take_if_better(PlaceSheets& best) {
     const double score = separator_.score(region_);
-    if (score < best.score - better) best.score = score, best.sheets = region_.sheets;
+    const double price = region_.sheets.count > best.sheets.count ? price_of_sheet : better;
+    if (score < best.score - price) best.score = score, best.sheets = region_.sheets;
   }
 
   // Places next to this one whose sheets, as they are, explain its points about as well.
@@ -168,6 +179,7 @@ void separate_places(SheetModel& model, const KdTree& tree, const ProbeReach& re
     if (model.places.known[p] != no_point) open.push_back(p);
   const ProbeReach wide = reach_of_places(reach);
   double& noise = model.places.noise;
+  if (!model.tolerances.exact()) noise = model.tolerances.noise;
   const auto for_all = [&](const auto& work) {
     std::vector<PlaceSheets> next(open.size());
     parallel_for(job, "sheets", open.size(), grain, [&](std::size_t begin, std::size_t end) {

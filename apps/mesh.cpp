@@ -49,7 +49,8 @@ void declare(CommandLine& line, MeshCommand& c) {
                  "shorter edges where they would leave a curved surface by more, in spacings; 0: "
                  "nowhere")
       ->type_name("E");
-  line.switch_parameter("--close", c.options.mesher.close, "fill all holes, however large");
+  line.switch_parameter("--close", c.options.mesher.close,
+                        "close all holes, however wide, as the sheets around them go on");
   declare_features(line, c.projection);
 }
 
@@ -102,6 +103,9 @@ Json mesh_json(const MeshedCloud& meshed, const MeshCommand& c, const Json& para
   json["non_finite"] = meshed.non_finite;
   json["outliers"] = meshed.outliers;
   json["holes_filled"] = meshed.sharp.holes_filled;
+  json["holes_smooth"] = meshed.sharp.caps_smooth;
+  json["holes_taut"] = meshed.sharp.caps_taut;
+  json["holes_left"] = meshed.sharp.holes_left;
   json["faults_taken"] = meshed.sharp.faults_taken;
   json["parts"] = meshed.sharp.parts;
   json["uncovered"] = meshed.sharp.uncovered;

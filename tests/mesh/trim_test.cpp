@@ -6,38 +6,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "spigolo/core/parity_sets.h"
 #include "spigolo/mesh/flips.h"
 #include "spigolo/mesh/separate.h"
+#include "support/mesh_shapes.h"
 
 namespace spigolo {
 namespace {
-
-// A ball of longitudes and latitudes.
-TriangleMesh ball(std::uint32_t around, std::uint32_t up) {
-  TriangleMesh mesh;
-  auto& p = mesh.vertices.points;
-  p = {{0, 0, -1}, {0, 0, 1}};
-  for (std::uint32_t j = 1; j < up; ++j)
-    for (std::uint32_t i = 0; i < around; ++i) {
-      const double a = 2 * pi * i / around, b = pi * j / up - half_pi;
-      p.push_back({std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)});
-    }
-  const auto at = [&](std::uint32_t i, std::uint32_t j) {
-    return 2 + (j - 1) * around + i % around;
-  };
-  for (std::uint32_t i = 0; i < around; ++i) {
-    mesh.triangles.push_back({0, at(i + 1, 1), at(i, 1)});
-    mesh.triangles.push_back({1, at(i, up - 1), at(i + 1, up - 1)});
-    for (std::uint32_t j = 1; j + 1 < up; ++j) {
-      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-  return mesh;
-}
 
 TEST(Holes, AHoleIsClosedAndAWideOneOnRequest) {
   TriangleMesh mesh = ball(16, 9);

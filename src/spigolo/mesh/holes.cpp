@@ -13,50 +13,18 @@ namespace {
 constexpr std::size_t most_edges = 2000;  // of a loop; the time grows with the cube
 constexpr double price_of_a_fold = 4;     // times the area of a triangle that folds back
 
-using Loop = std::vector<std::uint32_t>;
-
-// Border half-edges linked to loops: a hole is on the other side, so it runs against them.
-std::vector<Loop> find_loops(const std::vector<Triangle>& triangles, std::size_t vertices) {
-  const EdgeTable table = find_edges(vertices, triangles);
-  std::vector<std::uint32_t> next(vertices, no_index);
-  std::vector<char> twice(vertices, 0);
-  for (const MeshEdge& edge : table.edges) {
-    if (edge.count != 1) continue;
-    const std::uint32_t half = table.of(edge)[0];
-    const std::uint32_t from = triangles[half / 3][half % 3],
-                        to = triangles[half / 3][(half % 3 + 1) % 3];
-    if (next[to] != no_index) twice[to] = 1;
-    next[to] = from;
-  }
-  std::vector<Loop> loops;
-  std::vector<char> seen(vertices, 0);
-  for (std::uint32_t start = 0; start < vertices; ++start) {
-    Loop loop;
-    bool clean = true;
-    for (std::uint32_t v = start; v != no_index && !seen[v] && next[v] != no_index; v = next[v]) {
-      seen[v] = 1;
-      clean &= !twice[v];
-      loop.push_back(v);
-    }
-    if (loop.size() >= 3 && clean && next[loop.back()] == loop.front()) loops.push_back(loop);
-  }
-  return loops;
-}
-
 // Least sum of areas over all triangulations of a loop, by dynamic programming.
 class Filler {
  public:
-  Filler(const Loop& loop, const std::vector<Vec3>& points) : n_(loop.size()), loop_(loop) {
-    for (const std::uint32_t v : loop) p_.push_back(points[v]);
+  explicit Filler(const std::vector<Vec3>& loop) : n_(loop.size()), p_(loop) {
     for (std::size_t i = 0; i < n_; ++i) normal_ += cross(p_[i], p_[(i + 1) % n_]);
     normal_ = normalized(normal_);
   }
 
-  void run(std::vector<Triangle>& out, const Job& job) {
+  void run(std::vector<Triangle>& out) {
     std::vector<double> best(n_ * n_, 0);
     std::vector<std::uint32_t> split(n_ * n_, 0);
     for (std::size_t span = 2; span < n_; ++span) {
-      job.check();
       for (std::size_t i = 0; i + span < n_; ++i) {
         double& least = best[i * n_ + i + span] = infinity;
         for (std::size_t k = i + 1; k < i + span; ++k) {
@@ -72,7 +40,8 @@ class Filler {
       todo.pop_back();
       if (j < i + 2) continue;
       const std::size_t k = split[i * n_ + j];
-      out.push_back({loop_[i], loop_[k], loop_[j]});
+      out.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k),
+                     static_cast<std::uint32_t>(j)});
       todo.push_back({i, k});
       todo.push_back({k, j});
     }
@@ -85,22 +54,59 @@ class Filler {
   }
 
   std::size_t n_;
-  const Loop& loop_;
-  std::vector<Vec3> p_;
+  const std::vector<Vec3>& p_;
   Vec3 normal_;
 };
 
 }  // namespace
 
+// Border half-edges linked to loops: a hole is on the other side, so it runs against them.
+std::vector<BorderLoop> find_border_loops(const std::vector<Triangle>& triangles,
+                                          std::size_t vertices) {
+  const EdgeTable table = find_edges(vertices, triangles);
+  std::vector<std::uint32_t> next(vertices, no_index);
+  std::vector<char> twice(vertices, 0);
+  for (const MeshEdge& edge : table.edges) {
+    if (edge.count != 1) continue;
+    const std::uint32_t half = table.of(edge)[0];
+    const std::uint32_t from = triangles[half / 3][half % 3],
+                        to = triangles[half / 3][(half % 3 + 1) % 3];
+    if (next[to] != no_index) twice[to] = 1;
+    next[to] = from;
+  }
+  std::vector<BorderLoop> loops;
+  std::vector<char> seen(vertices, 0);
+  for (std::uint32_t start = 0; start < vertices; ++start) {
+    BorderLoop loop;
+    bool clean = true;
+    for (std::uint32_t v = start; v != no_index && !seen[v] && next[v] != no_index; v = next[v]) {
+      seen[v] = 1;
+      clean &= !twice[v];
+      loop.push_back(v);
+    }
+    if (loop.size() >= 3 && clean && next[loop.back()] == loop.front()) loops.push_back(loop);
+  }
+  return loops;
+}
+
+std::vector<Triangle> fill_loop(const std::vector<Vec3>& loop) {
+  std::vector<Triangle> triangles;
+  if (loop.size() >= 3 && loop.size() <= most_edges) Filler(loop).run(triangles);
+  return triangles;
+}
+
 std::size_t fill_holes(std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
                        double largest, const Job& job) {
   std::size_t filled = 0;
-  for (const Loop& loop : find_loops(triangles, points.size())) {
+  for (const BorderLoop& loop : find_border_loops(triangles, points.size())) {
+    job.check();
     Box box;
-    for (const std::uint32_t v : loop) box.add(points[v]);
-    if (norm(box.size()) > largest || loop.size() > most_edges) continue;
-    Filler(loop, points).run(triangles, job);
-    ++filled;
+    std::vector<Vec3> places;
+    for (const std::uint32_t v : loop) box.add(points[v]), places.push_back(points[v]);
+    if (norm(box.size()) > largest) continue;
+    const std::vector<Triangle> filling = fill_loop(places);
+    for (const auto& [a, b, c] : filling) triangles.push_back({loop[a], loop[b], loop[c]});
+    filled += !filling.empty();
   }
   return filled;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "spigolo/core/error.h"
+#include "spigolo/mesh/caps.h"
 #include "spigolo/mesh/flips.h"
 #include "spigolo/mesh/leftovers.h"
 #include "spigolo/mesh/separate.h"
@@ -25,6 +26,7 @@ double since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+constexpr double narrow_hole = 3;  // [edges] across; triangles from border to border will do
 constexpr int most_repairs = 8, closing_repairs = 2;
 constexpr double largest_share_of_faults = 0.15;  // of the triangles and of the points left out
 
@@ -32,8 +34,11 @@ constexpr double largest_share_of_faults = 0.15;  // of the triangles and of the
 void finish(double step, const MesherOptions& options, SharpMesh& result, const Job& job) {
   TriangleMesh& mesh = result.mesh;
   separate(mesh, result.creases);  // makes the loops around holes simple
-  const double largest = options.close ? infinity : options.largest_hole * step;
-  result.holes_filled = fill_holes(mesh.triangles, mesh.vertices.points, largest, job);
+  result.holes_filled = fill_holes(mesh.triangles, mesh.vertices.points, narrow_hole * step, job);
+  const CapReport caps =
+      close_smoothly(mesh, {step, options.close ? infinity : options.largest_hole * step}, job);
+  result.holes_filled += caps.smooth + caps.taut;
+  result.caps_smooth = caps.smooth, result.caps_taut = caps.taut, result.holes_left = caps.left;
   const FlipReport flips = flip_edges(mesh.triangles, mesh.vertices.points, result.creases, job);
   separate(mesh, result.creases);
   result.check = check_connections(mesh, result.creases, job);

@@ -28,7 +28,10 @@ struct SharpMesh {
   std::vector<VertexPair> creases;  // segments that were to be edges, as vertices of the mesh
   std::vector<std::int32_t> curve;  // per segment, its curve in the network
   MeshCheck check;
-  std::size_t holes_filled = 0;
+  std::size_t holes_filled = 0;   // border loops closed; of those ...
+  std::size_t caps_smooth = 0;    // ... by caps that continue the sheets around
+  std::size_t caps_taut = 0;      // ... by films with an edge along the border
+  std::size_t holes_left = 0;     // left open, since a cap would run into the mesh
   std::size_t faults_taken = 0;   // triangles taken away because the mesh failed its check there
   std::size_t parts = 0;          // surfaces meshed apart, since one manifold could not hold them
   std::size_t uncovered = 0;      // points of the cloud farther than two edges from the mesh

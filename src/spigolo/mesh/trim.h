@@ -28,6 +28,16 @@ std::size_t trim_unsupported(std::vector<Triangle>& triangles, const MeshSamples
 /// Takes away pieces, joined over edges, of fewer than `least` triangles.
 void drop_scraps(std::vector<Triangle>& triangles, std::size_t vertices, std::size_t least);
 
+/// The vertices of a border, once around, such that triangles which close it run along.
+using BorderLoop = std::vector<std::uint32_t>;
+
+/// Borders that visit no vertex twice.
+std::vector<BorderLoop> find_border_loops(const std::vector<Triangle>& triangles,
+                                          std::size_t vertices);
+
+/// The triangulation of least area over the points of a loop; empty for more than 2000.
+std::vector<Triangle> fill_loop(const std::vector<Vec3>& loop);
+
 /// Closes border loops not wider than `largest` (in units of the points, infinite: all) by the
 /// triangulation of least area, which adds no vertex. Loops that visit a vertex twice and those of
 /// more than 2000 edges stay. Returns how many were closed.

@@ -13,6 +13,7 @@
 #include "run.h"
 #include "spigolo/core/error.h"
 #include "spigolo/io/shaded_mesh.h"
+#include "spigolo/mesh/quality.h"
 #include "spigolo/mesh/shading.h"
 #include "verbs.h"
 
@@ -89,6 +90,17 @@ void write_result(const std::string& path, const SharpMesh& sharp, Run& run) {
   write_surface(path, format, mesh, run);
 }
 
+// Lengths in the file's units, angles in degrees.
+Json quality_json(const TriangleQuality& q) {
+  return {{"smallest_angle_mean", degrees(q.angle_mean)},
+          {"smallest_angle_p5", degrees(q.angle_p5)},
+          {"smallest_angle_least", degrees(q.angle_least)},
+          {"slim_share", q.slim},
+          {"aspect_mean", q.aspect_mean},
+          {"edge_mean", q.edge_mean},
+          {"edge_deviation", q.edge_deviation}};
+}
+
 Json mesh_json(const MeshedCloud& meshed, const MeshCommand& c, const Json& parameters) {
   Json json = to_json(meshed.sharp.check);
   json["crease_edges"] = meshed.sharp.check.crease_edges;
@@ -102,6 +114,7 @@ Json mesh_json(const MeshedCloud& meshed, const MeshCommand& c, const Json& para
   json["duplicates"] = meshed.duplicates;
   json["non_finite"] = meshed.non_finite;
   json["outliers"] = meshed.outliers;
+  json["triangle_quality"] = quality_json(measure_quality(meshed.sharp.mesh));
   json["holes_filled"] = meshed.sharp.holes_filled;
   json["holes_smooth"] = meshed.sharp.caps_smooth;
   json["holes_taut"] = meshed.sharp.caps_taut;

@@ -82,7 +82,7 @@ std::vector<Section> sections(const Arguments& a) {
           {"hardships", hardships},
           {"chapter4", [=](Report& r) { chapter4(r, a.data, a.large); }},
           {"figures", [=](Report& r) { chapter4_pictures(r, a.pictures); }},
-          {"meshing", meshing},
+          {"meshing", [=](Report& r) { meshing(r, a.data, a.pictures, a.large); }},
           {"real",
            [=](Report& r) { a.data.empty() ? no_data(r) : real_clouds(r, a.data, a.pictures); }},
           {"chapter5", [=](Report& r) { chapter5(r, a.data, shipped); }},
@@ -98,7 +98,7 @@ std::vector<Section> rival_sections(const Arguments& a) {
           {"peers-detect", [=](Report& r) { rivals_detect(r, {}, a.data); }},
           {"peers-published", rivals_published},
           {"peers-smooth", [](Report& r) { rivals_smooth(r, {}); }},
-          {"peers-mesh", [](Report& r) { rivals_mesh(r, {}); }}};
+          {"peers-mesh", [=](Report& r) { rivals_mesh(r, {}, a.pictures); }}};
 }
 
 /// `only` names the section or what stands before its dash.

@@ -3,14 +3,17 @@
 //
 // bench/meshing.cpp - meshes of raw clouds: closed, manifold, how far from the true surface
 #include <algorithm>
-#include <ctime>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "mesh_close_up.h"
+#include "meshing_clouds.h"
 #include "sections.h"
 #include "spigolo/core/error.h"
 #include "spigolo/measure/distance.h"
+#include "spigolo/mesh/quality.h"
 #include "spigolo/pipeline/mesh.h"
 #include "spigolo/synth/synth.h"
 
@@ -29,13 +32,15 @@ constexpr Solid solids[] = {
     {"l-prism", 2},    {"steps", 2},         {"star", 2},      {"pyramid", 2}, {"boxhole", 0},
     {"cylinder", 2},   {"cylinder-hole", 0}, {"cylinders", 2}, {"cone", 2},    {"lens", 2},
     {"fillet-box", 2}, {"chamfer-box", 2},   {"sphere", 2},    {"torus", 0}};
-constexpr const char* open_shapes[] = {"planes", "wedge", "patch", "dome"};
+constexpr const char* open_shapes[] = {"planes", "wedge", "patch", "dome", "cap"};
 constexpr std::size_t points = 10000;
 constexpr std::uint64_t seed = 77;  // none that anything was tuned on
 
 struct Run {
   MeshedCloud meshed;
   DistanceStats to_truth, from_truth, edge;  // [spacings]
+  TriangleQuality quality;
+  double sigma = 0;  // [spacings] of the noise, along each axis
 };
 
 // Places inside triangles: the surface between vertices is what can err.
@@ -70,6 +75,10 @@ std::optional<Run> run(const SynthOptions& options) {
     return std::nullopt;
   }
   const SharpMesh& sharp = r.meshed.sharp;
+  r.quality = measure_quality(sharp.mesh);
+  r.sigma = options.noise_percent > 0  // uniform in a ball
+                ? options.noise_percent / 100 * cloud.shape.radius / std::sqrt(5.0) / cloud.spacing
+                : options.noise;
   r.to_truth = scaled(summarize(to_surface(sharp, cloud.shape)), r.meshed.spacing);
   r.from_truth =
       scaled(summarize(distances_to_mesh(cloud.exact, sharp.mesh, false)), r.meshed.spacing);
@@ -92,16 +101,17 @@ bool has_lattice(const char* shape) {
   });
 }
 
+/// Of all rows of a table.
 struct Totals {
   std::size_t runs = 0, closed = 0, sound = 0, euler = 0;
-  std::size_t creases = 0, kept = 0, intersections = 0;
+  std::size_t creases = 0, kept = 0, intersections = 0, far = 0;
 };
 
 std::string share(std::size_t part, std::size_t all) {
   return std::to_string(part) + "/" + std::to_string(all);
 }
 
-Row solid_row(const Solid& solid, Sampling sampling, const Run& r, Totals& totals) {
+Row solid_row(const Solid& solid, const SynthOptions& options, const Run& r, Totals& totals) {
   const MeshCheck& check = r.meshed.sharp.check;
   ++totals.runs;
   totals.closed += check.closed();
@@ -110,8 +120,11 @@ Row solid_row(const Solid& solid, Sampling sampling, const Run& r, Totals& total
   totals.creases += check.crease_edges;
   totals.kept += check.crease_edges_kept;
   totals.intersections += check.self_intersections;
+  totals.far += r.to_truth.max > 0.15;
+  const double sigma = r.sigma;
+  const auto shares = [&](double rms) { return sigma > 0 ? number(rms / sigma, 2) : ""; };
   return {solid.shape,
-          name(sampling),
+          name(options.sampling),
           check.closed() ? "yes" : "**no**",
           check.manifold() ? "yes" : "**no**",
           check.euler == solid.euler ? std::to_string(check.euler)
@@ -123,12 +136,30 @@ Row solid_row(const Solid& solid, Sampling sampling, const Run& r, Totals& total
           number(r.from_truth.mean, 4),
           number(r.from_truth.max, 3),
           number(r.edge.mean, 4),
-          number(r.edge.max, 3)};
+          number(r.edge.max, 3),
+          shares(r.to_truth.rms),
+          shares(r.edge.rms),
+          number(degrees(r.quality.angle_mean), 1),
+          number(degrees(r.quality.angle_p5), 1)};
 }
 
-const Row solid_head = {"shape",    "sampling",       "closed",       "manifold", "Euler",
-                        "contacts", "creases",        "to true mean", "max",      "from true mean",
-                        "max",      "true edge mean", "max"};
+const Row solid_head = {"shape",
+                        "sampling",
+                        "closed",
+                        "manifold",
+                        "Euler",
+                        "contacts",
+                        "creases",
+                        "to true mean",
+                        "max",
+                        "from true mean",
+                        "max",
+                        "true edge mean",
+                        "max",
+                        "rms / noise",
+                        "edge rms / noise",
+                        "smallest angle mean [deg]",
+                        "5 % below"};
 
 Totals closed_table(Report& report, double noise, std::span<const Sampling> samplings) {
   std::vector<Row> rows;
@@ -142,14 +173,15 @@ Totals closed_table(Report& report, double noise, std::span<const Sampling> samp
       options.points = points;
       options.noise = noise;
       options.seed = seed;
-      if (const auto r = run(options)) rows.push_back(solid_row(solid, sampling, *r, totals));
+      if (const auto r = run(options)) rows.push_back(solid_row(solid, options, *r, totals));
     }
   report.table(solid_head, rows);
   report.text(share(totals.closed, totals.runs) + " closed, " + share(totals.sound, totals.runs) +
               " without any fault, " + share(totals.euler, totals.runs) +
               " with the right Euler number, " + share(totals.kept, totals.creases) +
               " crease edges kept, " + std::to_string(totals.intersections) +
-              " self-intersections.");
+              " self-intersections, " + share(totals.far, totals.runs) +
+              " with a triangle more than .15 off.");
   return totals;
 }
 
@@ -176,33 +208,44 @@ void open_table(Report& report) {
                rows);
 }
 
-void speed_table(Report& report) {
+// hole17k with the thesis's noise, in percent of its radius.
+void thesis_noise_table(Report& report) {
   std::vector<Row> rows;
-  for (const std::size_t n : {std::size_t{100000}, std::size_t{1000000}}) {
+  Totals totals;
+  for (const double percent : {0.0, 0.4, 0.8, 1.6}) {
     SynthOptions options;
     options.shape = "hole17k";
-    options.sampling = Sampling::blue;
-    options.points = n;
+    options.noise_percent = percent;
     options.seed = seed;
-    const SynthCloud cloud = make_cloud(options);
-    const std::clock_t start = std::clock();
-    const MeshedCloud m = mesh_cloud(cloud.cloud.points);
-    const double cpu = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    const double wall =
-        m.seconds_index + m.seconds_detect + m.seconds_lines + m.seconds_project + m.seconds_mesh;
-    rows.push_back({std::to_string(n), std::to_string(m.sharp.check.triangles),
-                    m.sharp.check.sound() && m.sharp.check.closed() ? "yes" : "**no**",
-                    number(cpu, 1), number(wall, 1), number(m.seconds_project, 1),
-                    number(m.seconds_mesh, 1)});
+    if (const auto r = run(options)) {
+      rows.push_back(solid_row({"hole17k", 0}, options, *r, totals));
+      rows.back()[0] += " " + number(percent, 1) + " %";
+    }
   }
-  report.table({"points", "triangles", "closed and sound", "CPU [s]", "wall [s]",
-                "of it projection", "mesh"},
-               rows);
+  report.table(solid_head, rows);
+}
+
+// One edge of ours, with growing noise.
+void close_up(const std::filesystem::path& pictures) {
+  std::vector<NamedMesh> meshes;
+  SynthCloud cloud;
+  for (const double noise : {0.0, 0.25, 0.5}) {
+    SynthOptions options;
+    options.shape = "l-prism";
+    options.points = points;
+    options.noise = noise;
+    options.sampling = Sampling::blue;
+    options.seed = seed;
+    cloud = make_cloud(options);
+    meshes.push_back({"noise " + number(noise, 2), mesh_cloud(cloud.cloud.points).sharp.mesh});
+  }
+  draw_close_up(meshes, cloud, pictures / "mesh-edge.png");
 }
 
 }  // namespace
 
-void meshing(Report& report) {
+void meshing(Report& report, const std::filesystem::path& data,
+             const std::filesystem::path& pictures, bool large) {
   constexpr Sampling all[] = {Sampling::lattice, Sampling::blue, Sampling::random};
   constexpr Sampling off_lattice[] = {Sampling::blue, Sampling::random};
   report.heading(2, "Meshes");
@@ -215,11 +258,13 @@ void meshing(Report& report) {
   closed_table(report, 0, all);
   report.heading(3, "Closed shapes with noise of 0.1 spacings");
   closed_table(report, 0.1, off_lattice);
+  report.heading(3, "The thesis's noise");
+  thesis_noise_table(report);
   report.heading(3, "Open surfaces");
   open_table(report);
-  report.heading(3, "Speed of a mesh");
-  report.text("hole17k, blue, two threads; CPU time of the whole run and wall time.");
-  speed_table(report);
+  mesh_clouds(report, data);
+  mesh_speed(report, large);
+  close_up(pictures);
 }
 
 }  // namespace spigolo::bench

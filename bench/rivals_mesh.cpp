@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // bench/rivals_mesh.cpp - meshes by ours and others: distance both ways, the true edge, soundness
+#include "mesh_close_up.h"
 #include "sample_mesh.h"
 #include "sections.h"
 #include "smoothers.h"
@@ -232,14 +233,16 @@ std::vector<std::string> summary_row(const Mesher& mesher, const Answers& answer
 
 }  // namespace
 
-void rivals_mesh(Report& report, const RivalPlaces& places) {
+void rivals_mesh(Report& report, const RivalPlaces& places, const fs::path& pictures) {
   report.heading(2, "Meshes");
   report.text(
       "8000 samples, seed 71, noise per axis in h, lengths in mean spacings: mesh to the true "
       "surface and back (rms, largest), the true edge to the mesh (mean, largest), percent of the "
       "mesh within 1.5 spacings of an edge whose normal is off by more than 5 degrees. Poisson, "
       "ball pivoting and RIMLS get normals by CGAL's PCA and spanning tree with k = 16 + 64 noise "
-      "neighbors. Every setting that was tried has its row in the second table.");
+      "neighbors. Every setting that was tried has its row in the second table. One edge close up "
+      "by all of them "
+      "is in mesh-edge-*.png among the pictures.");
   const std::vector<Mesher> all = meshers();
   std::vector<Answers> answers(all.size());
   std::vector<std::vector<std::string>> rows, summary;
@@ -251,13 +254,19 @@ void rivals_mesh(Report& report, const RivalPlaces& places) {
           {.shape = shape, .sampling = sampling, .points = 8000, .noise = noise, .seed = 71});
       const SmoothTask task = prepare_task(places, s.cloud.points, {}, mean_spacing(s),
                                            16 + static_cast<int>(64 * noise));
+      std::vector<NamedMesh> close_ups;
       for (std::size_t m = 0; m < all.size(); ++m) {
         answers[m].emplace_back();
         for (const MeshVariant& variant : all[m].variants) {
           answers[m].back().push_back(measure(places, task, variant, s));
           rows.push_back(row_of(s, noise, all[m].name, variant, answers[m].back().back()));
+          if (answers[m].back().back())
+            close_ups.push_back({all[m].name + ", " + variant.name,
+                                 read_mesh(places.file(std::string("mesh") + variant.ending))});
         }
       }
+      draw_close_up(close_ups, s,
+                    pictures / ("mesh-edge-" + s.shape.name + "-" + number(noise, 2) + ".png"));
     }
   for (std::size_t m = 0; m < all.size(); ++m) summary.push_back(summary_row(all[m], answers[m]));
   report.text(

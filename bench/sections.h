@@ -25,7 +25,9 @@ void chapter5(Report& report, const std::filesystem::path& data,
 /// data: folder with abc/clean and the models; may be empty.
 void feature_lines(Report& report, const std::filesystem::path& data);
 void judged_models(Report& report, const std::filesystem::path& data);  // its models
-void meshing(Report& report);
+/// data: folder with the models and abc/clean, may be empty; large: a million points, too.
+void meshing(Report& report, const std::filesystem::path& data,
+             const std::filesystem::path& pictures, bool large);
 /// data may be empty; large: whole clouds of a million points, else of a tenth of it
 void chapter4(Report& report, const std::filesystem::path& data, bool large);
 void local_lines(Report& report, const std::filesystem::path& data);  // tables 3 and 4
@@ -43,6 +45,7 @@ void rivals_versions(Report& report, const RivalPlaces& places);
 void rivals_detect(Report& report, const RivalPlaces& places, const std::filesystem::path& data);
 void rivals_published(Report& report);
 void rivals_smooth(Report& report, const RivalPlaces& places);
-void rivals_mesh(Report& report, const RivalPlaces& places);
+/// Close-ups of one edge go to `pictures`.
+void rivals_mesh(Report& report, const RivalPlaces& places, const std::filesystem::path& pictures);
 
 }  // namespace spigolo::bench

@@ -3,6 +3,7 @@
 //
 // spigolo mesh: every format, its JSON, its refusals
 #include <fstream>
+#include <set>
 
 #include "apps/program.h"
 #include "spigolo/io/cloud_file.h"
@@ -33,6 +34,39 @@ TEST_F(Mesh, aCubeComesOutSharpAndWatertightInEveryFormat) {
   std::string magic(4, ' ');
   glb.read(magic.data(), 4);
   EXPECT_EQ(magic, "glTF");
+}
+
+TEST_F(Mesh, theReportKnowsTrianglesHolesAndParts) {
+  const std::string cube = cloud_file("cube.ply", small_cube());
+  const Json json = run_program({"mesh", cube, "-o", path("out.ply"), "--json"}).json();
+  EXPECT_EQ(json["parts"], 1);
+  EXPECT_EQ(json["uncovered"], 0);
+  EXPECT_EQ(json["holes_left"], 0);
+  EXPECT_GT(json["triangle_quality"]["smallest_angle_mean"], 40);
+  EXPECT_LT(json["triangle_quality"]["slim_share"], 0.01);
+  EXPECT_LT(json["triangle_quality"]["aspect_mean"], 2.1);
+}
+
+TEST_F(Mesh, edgesLookSharpInViewers) {
+  const std::string cube = cloud_file("cube.ply", small_cube());
+  ASSERT_EQ(run_program({"mesh", cube, "-o", path("out.obj")}).status, 0);
+  std::ifstream obj(path("out.obj"));
+  std::set<std::string> groups;
+  std::size_t lines = 0;
+  for (std::string line; std::getline(obj, line);) {
+    if (line.rfind("s ", 0) == 0) groups.insert(line);
+    lines += line.rfind("l ", 0) == 0;
+  }
+  EXPECT_EQ(groups.size(), 6U);  // one a face of the cube
+  EXPECT_GT(lines, 11U);
+  ASSERT_EQ(run_program({"mesh", cube, "-o", path("out.ply")}).status, 0);
+  const TriangleMesh mesh = read_mesh(path("out.ply"));
+  const Attribute* crease = mesh.vertices.find("scalar_crease");
+  ASSERT_NE(crease, nullptr);
+  std::size_t marked = 0;
+  for (const double c : crease->values) marked += c == 1;
+  EXPECT_GT(marked, 400U);
+  EXPECT_LT(marked, mesh.vertices.size() / 4);
 }
 
 TEST_F(Mesh, badOptionsAndCloudsWithoutASurface) {

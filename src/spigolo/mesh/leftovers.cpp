@@ -13,6 +13,7 @@ namespace {
 
 constexpr double passed_by = 1.6;         // [edges] a sample farther from all vertices is left out
 constexpr double beside = 2.6;            // [edges] unused samples nearer to those go with them
+constexpr double flying = 2.0;            // [steps] samples that far apart begin no sheet
 constexpr std::size_t least_sheet = 24;   // samples; fewer are no sheet
 constexpr double covered_distance = 2.0;  // [edges] from a point of the cloud to a vertex, times
 constexpr double sparsest = 2.0;          // at most that where the cloud is sparse
@@ -38,7 +39,8 @@ std::vector<std::uint32_t> left_out(const MeshSamples& samples,
     if (used[v]) vertices.insert(samples.position[v]);
   PointCells away(beside * samples.step, samples.size());
   for (std::size_t v = samples.on_creases; v < samples.size(); ++v)
-    if (!used[v] && !any_near(vertices, samples.position[v], passed_by * samples.length[v]))
+    if (!used[v] && samples.length[v] <= flying * samples.step &&
+        !any_near(vertices, samples.position[v], passed_by * samples.length[v]))
       away.insert(samples.position[v]);
   if (away.points().size() < least_sheet) return {};
   std::vector<std::uint32_t> which;

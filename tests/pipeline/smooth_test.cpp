@@ -12,7 +12,8 @@
 namespace spigolo {
 namespace {
 
-constexpr SmoothMethod methods[] = {SmoothMethod::plain, SmoothMethod::feature_line};
+constexpr SmoothMethod methods[] = {SmoothMethod::plain, SmoothMethod::feature_line,
+                                    SmoothMethod::sheets};
 
 std::vector<Vec3> box(double noise) {
   SynthOptions options;

@@ -49,6 +49,31 @@ TEST(Detect, RidgesAndValleysAreToldApart) {
     ASSERT_EQ(convex, 0);
 }
 
+// The apex is the corner farthest from the base: it is named with as many sheets as there are
+// sides.
+TEST(Detect, CornersAreOfAnyValence) {
+  for (const std::size_t sides : {3u, 4u, 5u}) {
+    SynthOptions options;
+    options.shape = "pyramid";
+    options.sides = sides;
+    options.sampling = Sampling::blue;
+    options.points = 10000;
+    options.seed = 9;
+    const SynthCloud s = make_cloud(options);
+    const Features f = detect(s.cloud.points).features;
+    double top = -infinity;
+    for (const Vec3& p : s.cloud.points) top = std::max(top, p.z);
+    std::size_t meet = 0, others = 0;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      if (f.kind[i] != PointKind::corner) continue;
+      std::size_t& most = s.cloud.points[i].z > 0.9 * top ? meet : others;
+      most = std::max<std::size_t>(most, f.sheets[i]);
+    }
+    EXPECT_EQ(meet, sides);
+    EXPECT_EQ(others, 3u) << sides << " sides";
+  }
+}
+
 TEST(Detect, ConesHaveATipAndPyramidsACorner) {
   for (const Sampling sampling : {Sampling::random, Sampling::blue}) {
     const SynthCloud cone = synth("cone", 0, sampling, 10000);

@@ -4,7 +4,9 @@
 // spigolo/sheets/sheet_cloud.h - what every step between own sheets and verdicts looks at
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "spigolo/index/neighborhoods.h"
 #include "spigolo/index/spacing.h"
@@ -21,5 +23,8 @@ struct SheetCloud {
 
   std::size_t size() const { return points.size(); }
 };
+
+/// i, its neighbors and theirs, ascending, each once.
+std::vector<std::uint32_t> second_ring(const SheetCloud& cloud, std::uint32_t i);
 
 }  // namespace spigolo

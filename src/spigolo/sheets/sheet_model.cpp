@@ -13,6 +13,7 @@
 #include "spigolo/sheets/folds.h"
 #include "spigolo/sheets/gaps.h"
 #include "spigolo/sheets/local_noise.h"
+#include "spigolo/sheets/meeting.h"
 #include "spigolo/sheets/refine.h"
 #include "spigolo/sheets/strength.h"
 #include "spigolo/sheets/tips.h"
@@ -114,6 +115,7 @@ SheetModel build_sheet_model(PreparedCloud prepared, const SheetOptions& options
   else
     judge_by_levels(model, local, levels, options, job);
   find_tips(cloud(), model.tolerances, model.verdicts, job);
+  if (model.tolerances.exact()) count_meeting_sheets(cloud(), model.verdicts, job);
   rate_verdicts(cloud(), model.tolerances, model.verdicts, job);
   note_convexity(cloud(), model.tolerances, model.verdicts, job);
   return model;

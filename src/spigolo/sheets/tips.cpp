@@ -26,6 +26,7 @@ constexpr double first_miss = 0.25, miss = 0.2,
 constexpr double least_fan = 0.02;  // smallest eigenvalue of the normals' scatter, as a share
 constexpr double twin_angle = radians(6), twin_noise = radians(60);  // [rad], per spacing of noise
 constexpr double most_twins = 0.14;  // share of the others that a normal of a fan has within 6 deg
+constexpr double least_bend = 0.1;   // of a cone of 150 degrees it is 0.27
 constexpr std::size_t least_points = 12;
 constexpr std::size_t grain = 1024;
 
@@ -64,17 +65,19 @@ std::optional<Meeting> meet(const SheetCloud& cloud, std::span<const std::uint32
   return Meeting{origin + x, std::sqrt(squares / static_cast<double>(n))};
 }
 
-// Neighbors and theirs, sorted.
-std::vector<std::uint32_t> gather(const SheetCloud& cloud, std::uint32_t i) {
-  std::vector<std::uint32_t> found(1, i);
-  for (const std::uint32_t j : cloud.neighborhoods.of(i)) {
-    const auto row = cloud.neighborhoods.of(j);
-    found.push_back(j);
-    found.insert(found.end(), row.begin(), row.end());
+// Whether the surface around bends as a cone does: its curvature times the distance to the apex is
+// the same all along, and far from none. Facets of a pyramid are flat.
+bool bends(const SheetCloud& cloud, std::span<const std::uint32_t> members, const Vec3& apex) {
+  std::vector<double> bend;
+  for (const std::uint32_t j : members) {
+    if (!cloud.sheets[j].fitted()) continue;
+    const auto [most, least] = curvatures_at(cloud.sheets[j], cloud.points[j]);
+    bend.push_back(std::max(std::abs(most), std::abs(least)) * distance(cloud.points[j], apex));
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
+  if (bend.empty()) return false;
+  const auto middle = bend.begin() + static_cast<std::ptrdiff_t>(bend.size() / 2);
+  std::nth_element(bend.begin(), middle, bend.end());
+  return *middle > least_bend;
 }
 
 // Mean share of the other normals that are nearly the same as one of them.
@@ -109,7 +112,7 @@ std::optional<Tip> find_tip(const SheetCloud& cloud, std::uint32_t i,
     return std::nullopt;
   Tip tip;
   std::vector<std::uint32_t> ring;
-  for (const std::uint32_t j : gather(cloud, i)) {
+  for (const std::uint32_t j : second_ring(cloud, i)) {
     const double away = distance(cloud.points[j], first->point) / s;
     if (away > fan_reach) continue;
     tip.around.push_back(j);
@@ -119,7 +122,7 @@ std::optional<Tip> find_tip(const SheetCloud& cloud, std::uint32_t i,
   const auto second = meet(cloud, ring, s);
   if (!second || second->miss > miss + miss_noise * tolerances.noise ||
       distance(second->point, cloud.points[i]) > first_reach * s ||
-      twins(cloud, ring, tolerances.noise) > most_twins)
+      twins(cloud, ring, tolerances.noise) > most_twins || !bends(cloud, ring, second->point))
     return std::nullopt;
   tip.point = second->point;
   Vec3 axis;

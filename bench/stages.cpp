@@ -13,6 +13,7 @@
 #include "spigolo/sheets/convexity.h"
 #include "spigolo/sheets/gaps.h"
 #include "spigolo/sheets/local_noise.h"
+#include "spigolo/sheets/meeting.h"
 #include "spigolo/sheets/strength.h"
 #include "spigolo/sheets/tips.h"
 
@@ -44,11 +45,12 @@ std::array<double, stage_names.size()> stage_seconds(std::span<const Vec3> point
   is_quiet(looked, job);
   done();
   auto verdicts = judge_points(cloud.points, neighborhoods, sheets, tolerances, {}, job);
-  clean_verdicts(cloud.points, neighborhoods, spacing, 0, verdicts, job);
+  clean_verdicts(cloud.points, neighborhoods, spacing, tolerances, verdicts, job);
   done();
   fill_gaps(cloud.points, neighborhoods, spacing, verdicts, job);
   done();
   find_tips(looked, tolerances, verdicts, job);
+  count_meeting_sheets(looked, verdicts, job);
   done();
   rate_verdicts(looked, tolerances, verdicts, job);
   done();

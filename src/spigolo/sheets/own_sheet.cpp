@@ -181,8 +181,8 @@ SheetTolerances sheet_tolerances(double noise, double on_lines) {
       {0.03, 20, 16}, {0.1, 24, 20}, {0.15, 40, 32}, {0.3, 64, 48}, {infinity, 96, 64}};
   const Row& row = *std::find_if(std::begin(rows), std::end(rows),
                                  [&](const Row& r) { return noise < r.below; });
-  SheetTolerances tolerances{noise, row.k, row.asked};
-  if (on_lines > mostly_lines) {
+  SheetTolerances tolerances{noise, row.k, row.asked, on_lines > mostly_lines};
+  if (tolerances.on_lines) {
     tolerances.k = std::max(tolerances.k, lines_k);
     tolerances.asked = std::max(tolerances.asked, lines_asked);
   }

@@ -19,6 +19,7 @@ struct SheetTolerances {
   double noise = 0;        // [spacings] standard deviation across the surface
   std::size_t k = 20;      // neighbors a sheet is fitted to; grows with the noise
   std::size_t asked = 16;  // neighbors whose sheets may pass a point
+  bool on_lines = false;   // scan lines: points crowd along them
 
   /// Noise too small to matter: each crease stands for itself.
   bool exact() const { return noise < 0.03; }

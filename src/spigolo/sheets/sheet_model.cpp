@@ -63,7 +63,7 @@ void judge_all(SheetModel& model, const SheetOptions& options, const Job& job) {
     refine_creases(model, options, job);
     agree();
   }
-  clean_verdicts(points, p.neighborhoods, p.spacing, exact ? 0 : noise, model.verdicts, job);
+  clean_verdicts(points, p.neighborhoods, p.spacing, model.tolerances, model.verdicts, job);
   if (exact) fill_gaps(points, p.neighborhoods, p.spacing, model.verdicts, job);
 }
 

@@ -25,8 +25,9 @@ constexpr double corner_reach = 0.9;    // [spacings] of three sheets' common po
 constexpr double common_reach = 0.2;    // [spacings] of a further sheet from their common point
 constexpr double sure_reach = 0.45;     // [spacings] so close nobody overshadows
 constexpr double shadow_length = 0.6, shadow_depth = 0.35;  // [spacings] along and across the edge
-constexpr double exact_noise = 0.03, exact_length = 0.5;    // shorter where positions are exact
+constexpr double exact_length = 0.5;                        // shorter where positions are exact
 constexpr double core_reach = 0.4;                          // [spacings] nobody at all overshadows
+constexpr double lines_core_reach = 0.6;  // [spacings] the same on scan lines, crowded along them
 constexpr double placed_reach = 0.02,
                  placed_length = 0.9;        // [spacings] of a sample put on the edge
 constexpr double shadow_loss = 1.5;          // of its length, by noise: who is closer is less sure
@@ -135,12 +136,13 @@ bool sharp(const SheetVerdict& v) {
 // crease, as those of meshes are, casts a longer shadow: if some are placed there, all are.
 bool overshadowed(std::span<const Vec3> points, std::span<const std::uint32_t> neighbors,
                   std::span<const SheetVerdict> verdicts, std::uint32_t i, double spacing,
-                  double noise) {
+                  const SheetTolerances& tolerances) {
   const SheetVerdict& mine = verdicts[i];
   const double away = distance(points[i], mine.crease_point) / spacing;
-  if (mine.kind != PointKind::edge || away < core_reach) return false;
-  const bool exact = noise < exact_noise;
-  const double length = exact ? exact_length : shadow_length - shadow_loss * noise;
+  const bool exact = tolerances.exact();
+  const double core = exact && tolerances.on_lines ? lines_core_reach : core_reach;
+  if (mine.kind != PointKind::edge || away < core) return false;
+  const double length = exact ? exact_length : shadow_length - shadow_loss * tolerances.noise;
   return std::any_of(neighbors.begin(), neighbors.end(), [&](std::uint32_t j) {
     if (!sharp(verdicts[j])) return false;
     const Vec3 d = (points[j] - mine.crease_point) / spacing;
@@ -205,8 +207,8 @@ std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
 }
 
 void clean_verdicts(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-                    const Spacing& spacing, double noise, std::vector<SheetVerdict>& verdicts,
-                    const Job& job) {
+                    const Spacing& spacing, const SheetTolerances& tolerances,
+                    std::vector<SheetVerdict>& verdicts, const Job& job) {
   const auto is_wrong = [&](std::size_t i) {
     if (verdicts[i].kind == PointKind::surface) return false;
     const auto row = neighborhoods.of(i);
@@ -216,7 +218,7 @@ void clean_verdicts(std::span<const Vec3> points, const Neighborhoods& neighborh
     });
     return like < (sharp(verdicts[i]) ? 1 : 2) ||
            overshadowed(points, near, verdicts, static_cast<std::uint32_t>(i), spacing.of_point[i],
-                        noise);
+                        tolerances);
   };
   for (const std::uint32_t i : parallel_select(job, verdicts.size(), clean_grain, is_wrong))
     verdicts[i] = {};

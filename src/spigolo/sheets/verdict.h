@@ -57,7 +57,7 @@ std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
 /// stand alone, and of two points beside each other on an edge the one clearly farther from it;
 /// how close beside each other shrinks with the noise [spacings], down to never.
 void clean_verdicts(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-                    const Spacing& spacing, double noise, std::vector<SheetVerdict>& verdicts,
-                    const Job& job = {});
+                    const Spacing& spacing, const SheetTolerances& tolerances,
+                    std::vector<SheetVerdict>& verdicts, const Job& job = {});
 
 }  // namespace spigolo

@@ -246,11 +246,26 @@ class SheetSampler {
   PointCells creases_, taken_, cloud_;
 };
 
+// A tip that a crease ends in is a vertex already.
+void add_tips(const std::vector<Vec3>& tips, MeshSamples& samples) {
+  for (const Vec3& tip : tips) {
+    const bool known = std::any_of(
+        samples.position.begin(), samples.position.end(),
+        [&](const Vec3& p) { return distance(p, tip) < crease_distance * samples.step; });
+    if (known) continue;
+    samples.position.push_back(tip);
+    samples.normal.emplace_back();
+    samples.length.push_back(samples.step);
+  }
+  samples.on_creases = samples.size();
+}
+
 }  // namespace
 
 MeshSamples choose_samples(const SurfacePoints& surface, const FeatureCurves& network,
                            const EdgeLength& edge, const Job& job) {
   MeshSamples samples = sample_creases(network, edge.step);
+  add_tips(surface.tips, samples);
   SheetSampler(surface, edge, samples, job).run();
   return samples;
 }

@@ -22,7 +22,8 @@ struct EdgeLength {
   double shortest = 0.5;   // shorter, down to this share of the step; 0: everywhere one length
 };
 
-/// Vertices in one canonical order: those on creases first, then those on sheets.
+/// Vertices in one canonical order: those on creases first, tips of cones after them (they count as
+/// on creases, but no segment names them), then those on sheets.
 struct MeshSamples {
   std::vector<Vec3> position;
   std::vector<Vec3> normal;         // unit, sign arbitrary; zero on creases
@@ -36,11 +37,11 @@ struct MeshSamples {
   bool on_crease(std::size_t v) const { return v < on_creases; }
 };
 
-/// Creases (not borders) are cut into equal steps from corner to corner, each as near to the step
-/// as can be. Of the surface points, in the order given, those are taken that are not nearer than
-/// .7 edges to one taken before on the same sheet, nor than .62 steps to a crease. Then gaps
-/// between them are filled with points of the continued sheets, where surface points lie all
-/// around.
+/// Tips become vertices. Creases (not borders) are cut into equal steps from corner to corner, each
+/// as near to the step as can be. Of the surface points, in the order given, those are taken that
+/// are not nearer than .7 edges to one taken before on the same sheet, nor than .62 steps to a
+/// crease. Then gaps between them are filled with points of the continued sheets, where surface
+/// points lie all around.
 MeshSamples choose_samples(const SurfacePoints& surface, const FeatureCurves& network,
                            const EdgeLength& edge, const Job& job = {});
 

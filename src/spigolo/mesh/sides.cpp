@@ -130,9 +130,12 @@ CreaseSides find_crease_sides(const MeshSamples& samples, const SurfacePoints& s
   CreaseSides sides;
   sides.of_vertex.resize(samples.on_creases);
   sides.of_segment.resize(samples.creases.size());
+  std::vector<char> at_segment(samples.on_creases, 0);  // not so tips: sheets of all directions
+  for (const VertexPair& segment : samples.creases)     // meet there
+    for (const std::uint32_t v : segment) at_segment[v] = 1;
   parallel_for(job, "", samples.on_creases, grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v)
-      sides.of_vertex[v] = finder.of_vertex(static_cast<std::uint32_t>(v));
+      if (at_segment[v]) sides.of_vertex[v] = finder.of_vertex(static_cast<std::uint32_t>(v));
   });
   parallel_for(job, "", samples.creases.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s)

@@ -30,7 +30,7 @@ struct SegmentSides {
 };
 
 struct CreaseSides {
-  std::vector<SideNormals> of_vertex;    // per crease vertex
+  std::vector<SideNormals> of_vertex;    // per crease vertex; of tips none
   std::vector<SegmentSides> of_segment;  // per segment
 };
 

@@ -26,6 +26,7 @@ struct SurfaceFoot {
 /// Points of every sheet, in one canonical order.
 struct SurfacePoints {
   std::vector<SurfaceFoot> points;
+  std::vector<Vec3> tips;     // of cones: sharp, but on no crease
   std::vector<Vec3> loose;    // points of the cloud that no sheet was found for
   double spacing = 1;         // of the cloud they come from
   double disagreement = .15;  // [unit] sheets continued to one place that lie farther apart from

@@ -13,6 +13,7 @@
 #include "spigolo/core/stopwatch.h"
 #include "spigolo/detect/methods.h"
 #include "spigolo/mls/sharp.h"
+#include "spigolo/pipeline/cone_tips.h"
 #include "spigolo/trace/trace.h"
 
 namespace spigolo {
@@ -178,10 +179,15 @@ MeshedCloud mesh_cloud(std::span<const Vec3> points, const MeshOptions& options,
   const std::vector<Vec3> ordered = in_input_units(model.prepared.cloud);
   result.network = find_network(model, ordered, options, job);
   result.seconds_lines = watch.lap();
+  std::vector<Vec3> tips;
+  if (options.method != SmoothMethod::plain)
+    tips = find_cone_tips(ordered, ordered_features(model, options.features), result.spacing,
+                          result.noise);
   const SharpSurface surface(std::move(model), options.mls, job);
-  const SurfacePoints sheets = options.method == SmoothMethod::sheets
-                                   ? on_sheets(surface, result, job)
-                                   : by_neighbors(ordered, options, job);
+  SurfacePoints sheets = options.method == SmoothMethod::sheets
+                             ? on_sheets(surface, result, job)
+                             : by_neighbors(ordered, options, job);
+  sheets.tips = std::move(tips);
   result.seconds_project = watch.lap();
   result.sharp = build_mesh(sheets, result.network, options.mesher, job);
   result.seconds_mesh = watch.lap();

@@ -22,8 +22,10 @@ constexpr double rounder = 3;  // so much better a rounded fold is a bend
 // [spacings] of the rounded folds, as hyperbolas: fillets, and curvature
 // that a quadric does not follow.
 constexpr std::array<double, 3> rounds = {1.5, 3.5, 8};
-constexpr double poor_fit = 1.7;    // [standard deviations] of what is more than one fold
-constexpr double freedom = 9;       // of quadric, fold, angle and offset
+constexpr double poor_fit = 1.7;  // [standard deviations] of what is more than one fold
+constexpr double freedom = 9;     // of quadric, fold, angle and offset
+// A fold this sharp has two heights over the plane, or is the end of a thin plate with both walls.
+constexpr double sharpest = radians(115);
 constexpr double dependent = 1e-9;  // share of a column left by the others
 
 double dot_product(const double* a, const double* b, std::size_t n) {
@@ -209,12 +211,16 @@ Hinge HingeTest::find(std::span<const Vec3> points, double spacing) {
   Hinge hinge;
   if (variance > poor_fit * poor_fit * known) hinge.fold = Fold::unclear;
   if (hinge.fold == Fold::unclear || sharp.gain < significant * variance) return hinge;
-  for (std::size_t r = 1; r < roundness.size(); ++r)
-    if (refined(best[r], roundness[r]).gain > sharp.gain + rounder * variance) {
-      hinge.fold = Fold::bend;
-      return hinge;
-    }
-  return place(sharp, gain_of(sharp, blur), points[0], spacing);
+  for (std::size_t r = 1; r < roundness.size(); ++r) {
+    const Line round = refined(best[r], roundness[r]);
+    if (round.gain <= sharp.gain + rounder * variance) continue;
+    hinge = place(round, gain_of(round, roundness[r]), points[0], spacing);
+    hinge.fold = hinge.deviation > sharpest ? Fold::unclear : Fold::bend;
+    return hinge;
+  }
+  hinge = place(sharp, gain_of(sharp, blur), points[0], spacing);
+  if (hinge.deviation > sharpest) hinge.fold = Fold::unclear;
+  return hinge;
 }
 
 }  // namespace spigolo

@@ -9,9 +9,11 @@
 
 #include "spigolo/core/parallel.h"
 #include "spigolo/sheets/agree.h"
+#include "spigolo/sheets/chains.h"
 #include "spigolo/sheets/convexity.h"
 #include "spigolo/sheets/folds.h"
 #include "spigolo/sheets/gaps.h"
+#include "spigolo/sheets/joints.h"
 #include "spigolo/sheets/local_noise.h"
 #include "spigolo/sheets/meeting.h"
 #include "spigolo/sheets/refine.h"
@@ -62,6 +64,8 @@ void judge_all(SheetModel& model, const SheetOptions& options, const Job& job) {
     agree();
     refine_creases(model, options, job);
     agree();
+    drop_short_chains(points, p.neighborhoods, p.spacing, noise, model.verdicts, job);
+    join_creases(points, p.neighborhoods, p.spacing, model.verdicts, job);
   }
   clean_verdicts(points, p.neighborhoods, p.spacing, model.tolerances, model.verdicts, job);
   if (exact) fill_gaps(points, p.neighborhoods, p.spacing, model.verdicts, job);

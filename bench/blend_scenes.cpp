@@ -34,18 +34,6 @@ double axis_distance(const Vec3& p, const Vec3& on_axis, const Vec3& axis) {
 
 bool on_top(const Vec3& p) { return p.z > side - 3; }
 
-BlendScene tube_over_edge() {
-  const Vec3 axis = normalized(Vec3{1, 0, 1}), edge{side, side / 2, side};
-  BlendScene s{.name = "tube across an edge",
-               .cloud = cube_cloud(),
-               .face = face_of(nurbs_tube({edge - axis * 16.4, axis}, 8.2, 37))};
-  s.radius = s.height = 4;
-  s.enclosed = [=](const Vec3& p) {
-    return on_top(p) || p.x > side - 3 ? axis_distance(p, edge, axis) - 8.2 : infinity;
-  };
-  return s;
-}
-
 BlendScene oblique_on_cube(double angle, double radius, double ball) {
   const Vec3 axis{std::cos(radians(angle)), 0, std::sin(radians(angle))};
   BlendScene s{.name = number(angle) + " degrees on the cube",
@@ -125,15 +113,6 @@ BlendScene sheet() {
   return s;
 }
 
-// The vertices of the fandisk and a tube across the sharp edge of its front, there where the wall
-// behind it is curved.
-BlendScene fandisk(const std::string& data) {
-  const Vec3 edge{-0.2627, -0.221, 0.2012}, axis = normalized(Vec3{-0.66, -0.985, 0.92});
-  return {.name = "fandisk, figure 79",
-          .cloud = read_cloud(std::filesystem::path(data) / "fandisk.off").points,
-          .face = face_of(nurbs_tube({edge - axis * 0.16, axis}, 0.1, 0.62))};
-}
-
 }  // namespace
 
 std::vector<Vec3> cube_cloud(double noise_percent, std::uint64_t seed) {
@@ -151,6 +130,27 @@ BlendScene tube_on_cube(double noise_percent, std::uint64_t seed) {
   s.radius = s.height = 4;
   s.enclosed = [](const Vec3& p) { return on_top(p) ? axis_distance(p, top, ez) - 8.2 : infinity; };
   return s;
+}
+
+BlendScene tube_over_edge() {
+  const Vec3 axis = normalized(Vec3{1, 0, 1}), edge{side, side / 2, side};
+  BlendScene s{.name = "tube across an edge",
+               .cloud = cube_cloud(),
+               .face = face_of(nurbs_tube({edge - axis * 16.4, axis}, 8.2, 37))};
+  s.radius = s.height = 4;
+  s.enclosed = [=](const Vec3& p) {
+    return on_top(p) || p.x > side - 3 ? axis_distance(p, edge, axis) - 8.2 : infinity;
+  };
+  return s;
+}
+
+// The vertices of the fandisk and a tube across the sharp edge of its front, there where the wall
+// behind it is curved.
+BlendScene tube_on_fandisk(const std::string& data) {
+  const Vec3 edge{-0.2627, -0.221, 0.2012}, axis = normalized(Vec3{-0.66, -0.985, 0.92});
+  return {.name = "fandisk, figure 79",
+          .cloud = read_cloud(std::filesystem::path(data) / "fandisk.off").points,
+          .face = face_of(nurbs_tube({edge - axis * 0.16, axis}, 0.1, 0.62))};
 }
 
 BlendScene oblique_tube(double angle, double radius) {
@@ -183,7 +183,7 @@ std::vector<BlendScene> blend_scenes(const std::string& data) {
   scenes.push_back(oblique_tube(18, 12.2));
   for (std::size_t i = scenes.size() - 2; i < scenes.size(); ++i)
     scenes[i].name += ", kept apart from all choices";
-  if (!data.empty()) scenes.push_back(fandisk(data));
+  if (!data.empty()) scenes.push_back(tube_on_fandisk(data));
   return scenes;
 }
 

@@ -30,6 +30,10 @@ std::vector<Vec3> cube_cloud(double noise_percent = 0, std::uint64_t seed = 1);
 
 /// A tube of radius 8.2 that stands on the cube's top; options are those of the sweeps.
 BlendScene tube_on_cube(double noise_percent = 0, std::uint64_t seed = 1);
+/// One across the cube's edge.
+BlendScene tube_over_edge();
+/// data: folder with fandisk.off.
+BlendScene tube_on_fandisk(const std::string& data);
 /// A tube that leaves a wide plane at that angle [degrees].
 BlendScene oblique_tube(double angle, double radius = 4.1);
 /// All cases of the table; data: folder with fandisk.off, may be empty.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "blend_meshes.h"
 #include "blend_pictures.h"
 #include "blend_scenes.h"
 #include "sections.h"
@@ -268,6 +269,7 @@ void chapter5(Report& report, const std::filesystem::path& data,
   cases(report, data.string());
   sweep(report, pictures);
   noise(report, pictures);
+  blend_meshes(report, data.string(), pictures);
   speed_of_blends(report);
 }
 

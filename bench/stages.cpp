@@ -36,7 +36,7 @@ std::array<double, stage_names.size()> stage_seconds(std::span<const Vec3> point
   const Neighborhoods neighborhoods = find_neighborhoods(tree, tolerances.k, job);
   done();
   const Spacing spacing = estimate_spacing(cloud.points, neighborhoods, job);
-  const double noise = estimate_noise(cloud.points, neighborhoods, spacing, job);
+  const double noise = estimate_noise(cloud.points, neighborhoods, spacing, tree, job);
   if (!sheet_tolerances(noise).exact())
     throw Error("the stages are those of a cloud without noise");
   done();

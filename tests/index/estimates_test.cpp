@@ -20,7 +20,7 @@ Estimates estimate(const std::vector<Vec3>& points) {
   const KdTree tree(cloud);
   const Neighborhoods neighborhoods = find_neighborhoods(tree, 20);
   const Spacing spacing = estimate_spacing(cloud.points, neighborhoods);
-  return {spacing.of_cloud, estimate_noise(cloud.points, neighborhoods, spacing)};
+  return {spacing.of_cloud, estimate_noise(cloud.points, neighborhoods, spacing, tree)};
 }
 
 std::vector<Vec3> shaken(std::vector<Vec3> points, double sigma, std::uint64_t seed) {
@@ -75,6 +75,21 @@ TEST(Noise, ThinWallsAreNotNoise) {
     const auto other = test::moved(points, {0.3, 0.4, thickness});
     points.insert(points.end(), other.begin(), other.end());
     EXPECT_LT(estimate(points).noise, 1e-9) << thickness;
+  }
+}
+
+// Even samples, shaken across the surface only: small neighborhoods are balls of points by then,
+// and find too much; a wide look does not.
+TEST(Noise, LargeNoiseOfEvenSamplesIsMeasuredByWideLooks) {
+  for (const double sigma : {0.7, 1.0, 1.4}) {
+    Random random(28);
+    std::vector<Vec3> points;
+    for (int x = 0; x < 70; ++x)
+      for (int y = 0; y < 70; ++y)
+        points.push_back({x + random.uniform(-0.2, 0.2), y + random.uniform(-0.2, 0.2),
+                          sigma * random.normal()});
+    const Estimates e = estimate(points);
+    EXPECT_NEAR(e.noise, sigma / e.spacing, 0.15 * sigma / e.spacing);
   }
 }
 

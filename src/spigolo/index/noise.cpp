@@ -31,6 +31,12 @@ constexpr double half_factor = 2.0;
 // off by at most a tenth. The factor is for the lower quartile where the local spacing scatters.
 constexpr double saturation = 0.62, saturation_power = 6, most_saturated = 0.94;
 constexpr double scatter_factor = 1.04;
+// That much is looked at again in wider neighborhoods, which bend down later (measured in the same
+// way): of even samples shaken across the surface only, small ones are balls that spread the same
+// in all directions, and the correction overshoots.
+constexpr double much = 0.4;
+constexpr std::size_t wide_k = 64, wide_looks = 2000;
+constexpr double wide_quartile = 0.937, wide_saturation = 1.35;
 constexpr double needle_sine = 0.3;  // planes through thinner triangles say little
 
 Eigen::Vector3d eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
@@ -101,9 +107,29 @@ double lower_quartile(std::vector<double>& values) {
 }
 
 // The noise that makes small neighborhoods deviate so much [spacings].
-double unbend(double deviation) {
-  const double share = std::min(deviation / saturation, most_saturated);
-  return scatter_factor * deviation / (1 - std::pow(share, saturation_power));
+double unbend(double deviation, double limit) {
+  const double share = std::min(deviation / limit, most_saturated);
+  return deviation / (1 - std::pow(share, saturation_power));
+}
+
+// From the quadrics of wide neighborhoods.
+double estimate_wide_noise(std::span<const Vec3> points, const KdTree& tree, const Spacing& spacing,
+                           const Job& job) {
+  const std::size_t looks = std::min(points.size(), wide_looks);
+  std::vector<double> deviation(looks);
+  parallel_for(job, "", looks, grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Neighbor> found;
+    std::vector<std::uint32_t> row;
+    for (std::size_t look = begin; look < end; ++look) {
+      const std::size_t i = look * points.size() / looks;
+      tree.nearest(points[i], wide_k + 1, found);
+      row.clear();
+      for (const Neighbor& n : found)
+        if (n.index != i) row.push_back(n.index);
+      deviation[look] = quadric_deviation(in_own_frame(points, i, row, spacing.of_point[i]));
+    }
+  });
+  return unbend(lower_quartile(deviation) / wide_quartile, wide_saturation);
 }
 
 }  // namespace
@@ -114,7 +140,7 @@ double noise_of_flattest_half(std::span<const Vec3> points, std::size_t i,
 }
 
 double estimate_noise(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-                      const Spacing& spacing, const Job& job) {
+                      const Spacing& spacing, const KdTree& tree, const Job& job) {
   if (neighborhoods.k < quadric_k || points.size() < 4 * quadric_k) return 0;
   const std::size_t looks = std::min(points.size(), max_looks);
   std::vector<double> plane(looks), quadric(looks), half((looks + halves_share - 1) / halves_share);
@@ -129,9 +155,12 @@ double estimate_noise(std::span<const Vec3> points, const Neighborhoods& neighbo
         half[look / halves_share] = half_deviation(points, i, row.first(quadric_k), s);
     }
   });
-  return unbend(std::min({lower_quartile(plane) / plane_quartile,
-                          lower_quartile(quadric) / quadric_quartile,
-                          lower_quartile(half) * half_factor}));
+  const double least =
+      std::min({lower_quartile(plane) / plane_quartile, lower_quartile(quadric) / quadric_quartile,
+                lower_quartile(half) * half_factor});
+  const double noise = scatter_factor * unbend(least, saturation);
+  if (noise < much || points.size() <= wide_k) return noise;
+  return std::min(noise, estimate_wide_noise(points, tree, spacing, job));
 }
 
 }  // namespace spigolo

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "spigolo/core/job.h"
+#include "spigolo/index/kd_tree.h"
 #include "spigolo/index/neighborhoods.h"
 #include "spigolo/index/spacing.h"
 
@@ -18,10 +19,12 @@ namespace spigolo {
 /// on curved surfaces, a quadric through 17 on thin walls, the flattest half of 16 neighbors (least
 /// median of squares over planes through the point) on strong curvature only. Each is taken at its
 /// lower quartile over the cloud, where no crease is near, and corrected for the freedom its fit
-/// has; large noise, of which small neighborhoods show only a part, is corrected for that. 0 if there are too few points. Looks at 20 000 points at most, evenly along the canonical
-/// order.
+/// has; large noise, of which small neighborhoods show only a part, is corrected for that. Above
+/// 0.4 a quadric through 65 points may find less: both walls of a thin part look like noise to the
+/// others. 0 if there are too few points. Looks at 20 000 points at most, evenly along the
+/// canonical order.
 double estimate_noise(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-                      const Spacing& spacing, const Job& job = {});
+                      const Spacing& spacing, const KdTree& tree, const Job& job = {});
 
 /// Noise at one point [spacings], from the flattest half of its 16 nearest neighbors: twice the
 /// smallest median distance to a plane through it and two of them (least median of squares,

@@ -46,9 +46,10 @@ PreparedCloud prepare_cloud(std::span<const Vec3> points, std::size_t k, const J
   prepared.cloud = order_cloud(points, job);
   check(prepared.cloud);
   const std::span<const Vec3> places = prepared.cloud.points;
-  prepared.neighborhoods = find_neighborhoods(KdTree(prepared.cloud), std::max(k, noise_k), job);
+  const KdTree tree(prepared.cloud);
+  prepared.neighborhoods = find_neighborhoods(tree, std::max(k, noise_k), job);
   prepared.spacing = estimate_spacing(places, prepared.neighborhoods, job);
-  prepared.noise = estimate_noise(places, prepared.neighborhoods, prepared.spacing, job);
+  prepared.noise = estimate_noise(places, prepared.neighborhoods, prepared.spacing, tree, job);
   return prepared;
 }
 

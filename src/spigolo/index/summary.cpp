@@ -24,7 +24,7 @@ CloudSummary summarize(std::span<const Vec3> points, const Job& job) {
   summary.non_finite = cloud.non_finite;
   summary.bounds = bounding_box(points);
   summary.spacing = spacing.of_cloud;
-  summary.noise = estimate_noise(cloud.points, neighborhoods, spacing, job);
+  summary.noise = estimate_noise(cloud.points, neighborhoods, spacing, tree, job);
   return summary;
 }
 

@@ -20,9 +20,9 @@ namespace spigolo {
 /// median of squares over planes through the point) on strong curvature only. Each is taken at its
 /// lower quartile over the cloud, where no crease is near, and corrected for the freedom its fit
 /// has; large noise, of which small neighborhoods show only a part, is corrected for that. Above
-/// 0.4 a quadric through 65 points may find less: both walls of a thin part look like noise to the
-/// others. 0 if there are too few points. Looks at 20 000 points at most, evenly along the
-/// canonical order.
+/// 0.4 a quadric through 65 points may find less: of even samples shaken across the surface only,
+/// the others see too much. 0 if there are too few points. Looks at 20 000 points at most, evenly
+/// along the canonical order.
 double estimate_noise(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                       const Spacing& spacing, const KdTree& tree, const Job& job = {});
 

@@ -88,7 +88,9 @@ Features features_of(const PointCloud& labels, const PointCloud& cloud, const st
   const Attribute *quality = labels.find("quality"), *angle = labels.find("scalar_angle"),
                   *convex = labels.find("scalar_convex"), *curve = labels.find("scalar_curve"),
                   *x = labels.find("edge_x"), *y = labels.find("edge_y"),
-                  *z = labels.find("edge_z");
+                  *z = labels.find("edge_z"), *u = labels.find("direction_x"),
+                  *v = labels.find("direction_y"), *w = labels.find("direction_z");
+  const bool has_creases = x && y && z && u && v && w;
   Features f;
   f.assign_surface(labels.size());
   f.kind = kinds_of(*kind);
@@ -102,6 +104,10 @@ Features features_of(const PointCloud& labels, const PointCloud& cloud, const st
     f.convex[i] = static_cast<std::int8_t>(side > 0 ? 1 : side < 0 ? -1 : 0);
     f.curve[i] = static_cast<std::int32_t>(std::clamp(value_of(curve, i, -1), -1.0, 2e9));
     f.crease_point[i] = {value_of(x, i, p.x), value_of(y, i, p.y), value_of(z, i, p.z)};
+    if (has_creases && f.kind[i] == PointKind::edge) {
+      const Vec3 direction{value_of(u, i, 0), value_of(v, i, 0), value_of(w, i, 0)};
+      if (is_finite(direction) && norm(direction) > 0.5) f.direction[i] = normalized(direction);
+    }
     f.sheets[i] = f.kind[i] == PointKind::edge ? 2 : f.kind[i] == PointKind::corner ? 3 : 1;
   }
   return f;

@@ -72,6 +72,58 @@ TEST(Smooth, GivenLabelsAreUsed) {
   EXPECT_EQ(smooth(points, options).position, smooth(points, by(SmoothMethod::plain)).position);
 }
 
+// Edge labels of the noise-free places, as sure as can be.
+Features exact_labels(const SynthCloud& synth) {
+  Features labels;
+  labels.assign_surface(synth.exact.size());
+  for (std::size_t i = 0; i < synth.exact.size(); ++i) {
+    double nearest = synth.spacing;
+    for (const ExactCrease& crease : synth.shape.creases) {
+      const double t = crease.curve.nearest(synth.exact[i]);
+      const Vec3 at = crease.curve.at(t);
+      if (distance(at, synth.exact[i]) >= nearest) continue;
+      nearest = distance(at, synth.exact[i]);
+      labels.kind[i] = PointKind::edge;
+      labels.strength[i] = 1;
+      labels.crease_point[i] = at;
+      labels.direction[i] = normalized(crease.curve.at(t + 1e-3) - crease.curve.at(t - 1e-3));
+    }
+  }
+  return labels;
+}
+
+// [spacings] Mean distance of the points that end on creases to the true ones.
+double crease_error(const SynthCloud& synth, const Smoothed& s) {
+  double sum = 0, n = 0;
+  for (std::size_t i = 0; i < s.size(); ++i)
+    if (s.status[i] == SurfaceStatus::crease)
+      sum += edge_distance(synth.shape, s.position[i]) / synth.spacing, n += 1;
+  EXPECT_GT(n, 0);
+  return sum / n;
+}
+
+TEST(Smooth, GivenLabelsPinTheCreasesInMuchNoise) {
+  SynthOptions shape;
+  shape.shape = "cylinder";
+  shape.sampling = Sampling::blue;
+  shape.points = 4000;
+  shape.noise = 0.7;
+  const SynthCloud synth = make_cloud(shape);
+  const Features exact = exact_labels(synth);
+  SmoothOptions options;
+  const double found = crease_error(synth, smooth(synth.cloud.points, options));
+  options.features = &exact;
+  const double pinned = crease_error(synth, smooth(synth.cloud.points, options));
+  EXPECT_LT(pinned, 0.5 * found);
+  EXPECT_LT(pinned, 0.1);
+  EXPECT_LT(found, 0.5);
+  // Labels that do not know where their crease runs pin nothing.
+  Features kinds = exact;
+  kinds.direction.assign(kinds.size(), {});
+  options.features = &kinds;
+  EXPECT_GT(crease_error(synth, smooth(synth.cloud.points, options)), 2 * pinned);
+}
+
 TEST(Smooth, DuplicatesAndStrayCoordinatesAreCarriedAlong) {
   std::vector<Vec3> points = box(0.1);
   const std::size_t n = points.size();

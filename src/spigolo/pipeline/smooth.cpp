@@ -119,18 +119,29 @@ void smooth_by_neighbors(std::span<const Vec3> points, PreparedCloud&& prepared,
   s.seconds_project = watch.lap();
 }
 
-// Given labels replace the kinds; the creases themselves are the sheets' own.
+// Given labels replace our own: their kinds and, where they have them, places on the creases.
+void give_labels(const Features& features, SheetModel& model) {
+  const OrderedCloud& cloud = model.prepared.cloud;
+  model.labels_given = true;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (cloud.rank[i] == no_point) continue;
+    SheetVerdict& verdict = model.verdicts[cloud.rank[i]];
+    verdict.kind = features.kind[i];
+    verdict.strength = static_cast<double>(features.strength[i]);
+    verdict.direction = {};  // not known: pins nothing
+    if (features.kind[i] != PointKind::edge || !is_finite(features.crease_point[i])) continue;
+    verdict.crease_point = features.crease_point[i] - cloud.origin;
+    verdict.direction = features.direction[i];
+  }
+}
+
 void smooth_by_sheets(std::span<const Vec3> points, PreparedCloud&& prepared,
                       const SmoothOptions& options, const Job& job, Smoothed& s) {
   Stopwatch watch;
   SheetModel model = build_sheet_model(std::move(prepared), {}, job);
+  if (options.features != nullptr) give_labels(*options.features, model);
   std::vector<PointKind> kind(model.size());
-  if (options.features != nullptr)
-    kind = ordered_kinds(model.prepared.cloud, options.features->kind);
-  for (std::size_t i = 0; i < kind.size(); ++i) {
-    if (options.features == nullptr) kind[i] = model.verdicts[i].kind;
-    model.verdicts[i].kind = kind[i];
-  }
+  for (std::size_t i = 0; i < kind.size(); ++i) kind[i] = model.verdicts[i].kind;
   s.seconds_detect = watch.lap();
   const SharpSurface surface(std::move(model), options.mls, job);
   s.mls = surface.options();

@@ -58,11 +58,12 @@ bool SheetSeparator::separate(SheetRegion& region, bool join) {
   return settle(model_.tolerances.noise < exact_noise ? exact_rounds : noisy_rounds, join);
 }
 
-void SheetSeparator::start_from(const LocalSheets& sheets, SheetRegion& region, int rounds) {
+void SheetSeparator::start_from(const LocalSheets& sheets, SheetRegion& region, int rounds,
+                                bool join) {
   r_ = &region;
   r_->sheets = sheets;
   r_->label.resize(r_->points.size());
-  settle(rounds, false);
+  settle(rounds, join);
 }
 
 bool halve(SheetRegion& region) {

@@ -29,8 +29,8 @@ class SheetSeparator {
   /// quadric explains about as well become one. Tells whether any did.
   bool separate(SheetRegion& region, bool join = true);
   /// Starts from sheets that were found elsewhere: each point to the nearest one, fitted again,
-  /// some rounds of it.
-  void start_from(const LocalSheets& sheets, SheetRegion& region, int rounds);
+  /// some rounds of it. join: as above.
+  void start_from(const LocalSheets& sheets, SheetRegion& region, int rounds, bool join = false);
   /// All points on one sheet.
   void take_one(SheetRegion& region);
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/sheets/label_hints.h"
 #include "spigolo/sheets/separate.h"
 #include "spigolo/sheets/sheet_model.h"
 
@@ -25,6 +26,9 @@ constexpr double worth = 1.25;         // a glance's score may be worse by that
 constexpr int try_rounds = 2;
 // A further sheet may lie anywhere, so some place is found where it explains the noise.
 constexpr double price_of_sheet = 15;
+// [spacings] with more noise, sheets that might be one are one: two of them would follow the noise.
+constexpr double noise_joins = 0.4;
+constexpr int label_rounds = 4;
 constexpr double better = 2;  // by how much a score must be better to count
 
 double size_of_place(const ProbeReach& reach) {
@@ -68,9 +72,11 @@ class PlaceWork {
     gather(place);
     const bool joined = separator_.separate(region_);
     PlaceSheets found{region_.sheets, reach_, separator_.score(region_)};
-    if (!joined) return found;
-    separator_.separate(region_, false);
-    take_if_better(found);
+    if (joined && model_.tolerances.noise < noise_joins) {
+      separator_.separate(region_, false);
+      take_if_better(found);
+    }
+    if (labels_help(model_.tolerances.noise)) try_labels(found);
     return found;
   }
 
@@ -81,8 +87,7 @@ class PlaceWork {
     gather(place);
     region_.sheets = best.sheets;
     best.score = separator_.score(region_);
-    const LocalSheets own = best.sheets;
-    for (std::size_t s = 0; s < own.count && own.count > 1; ++s) try_sheets(without(own, s), best);
+    try_fewer(best);
     for (const std::uint32_t other : worth_trying(place, last))
       try_sheets(last[places.known[other]].sheets, best);
     return best;
@@ -103,6 +108,19 @@ class PlaceWork {
  private:
   void gather(std::uint32_t place) {
     gather_region(model_, tree_, model_.points()[model_.places.point[place]], reach_, region_);
+  }
+
+  void try_labels(PlaceSheets& best) {
+    const LocalSheets labelled = sheets_of_labels(model_, region_);
+    if (labelled.count < 2) return;
+    separator_.start_from(labelled, region_, label_rounds, true);
+    take_if_better(best);
+    try_fewer(best);
+  }
+
+  void try_fewer(PlaceSheets& best) {
+    const LocalSheets own = best.sheets;
+    for (std::size_t s = 0; s < own.count && own.count > 1; ++s) try_sheets(without(own, s), best);
   }
 
   void try_sheets(const LocalSheets& sheets, PlaceSheets& best) {

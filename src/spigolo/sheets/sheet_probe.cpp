@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spigolo/sheets/label_hints.h"
+
 namespace spigolo {
 namespace {
 
@@ -66,7 +68,8 @@ const PartedRegion& SheetProbe::region_of(std::uint32_t place) {
     region_.sheets = places.sheets[entry].sheets;
     separator_.label(region_);
   }
-  return known_.emplace(place, part(region_, model_.places.noise)).first->second;
+  const std::vector<CreasePin> pins = pin_creases(model_, region_, model_.places.noise);
+  return known_.emplace(place, part(region_, model_.places.noise, pins)).first->second;
 }
 
 // With noise a wide look may be too much for one quadric a sheet; then with half the points again.

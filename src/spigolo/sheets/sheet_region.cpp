@@ -51,7 +51,7 @@ void gather_region(const SheetModel& model, const KdTree& tree, const Vec3& cent
   for (const Neighbor& n : region.found) region.points.push_back(model.points()[n.index]);
 }
 
-PartedRegion part(const SheetRegion& region, double noise) {
+PartedRegion part(const SheetRegion& region, double noise, std::span<const CreasePin> pins) {
   PartedRegion r{region.center, region.spacing, region.smoothing, 0, {}, {}, {}, region.sheets};
   r.radius = std::sqrt(region.found.back().squared_distance);
   std::vector<std::array<double, LocalSheets::most>> shares(region.points.size());
@@ -66,6 +66,11 @@ PartedRegion part(const SheetRegion& region, double noise) {
       if (shares[t][s] < least_share) continue;
       r.points.push_back(region.points[t]);
       r.share.push_back(shares[t][s]);
+    }
+    for (const CreasePin& pin : pins) {
+      if (pin.sheets[0] != s && pin.sheets[1] != s) continue;
+      r.points.push_back(pin.place);
+      r.share.push_back(pin.weight);
     }
     r.begin[s + 1] = static_cast<std::uint32_t>(r.points.size());
   }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "spigolo/index/kd_tree.h"
@@ -41,9 +42,16 @@ struct PartedRegion {
   LocalSheets sheets;                                        // as fitted at the place
 };
 
+/// A place that is known to lie on the crease of two sheets: a point of both of them.
+struct CreasePin {
+  Vec3 place;
+  std::array<std::size_t, 2> sheets;
+  double weight = 0;  // as so many samples
+};
+
 /// noise: [spacings] about the sheets; with any, a point near a crease counts for both sheets, as
-/// likely as it is of each. Else its label decides.
-PartedRegion part(const SheetRegion& region, double noise);
+/// likely as it is of each. Else its label decides. pins: places added to their sheets.
+PartedRegion part(const SheetRegion& region, double noise, std::span<const CreasePin> pins = {});
 
 /// Each sheet fitted anew, the nearer to the query the weightier, by planes where the region has
 /// planes. The weight (1 - d^2/R^2)^3 ends within the region, so that it changes smoothly as the

@@ -13,12 +13,12 @@ namespace {
 
 constexpr double nearly = 0.05;  // [spacings]
 
-void expect_tips(const char* shape, Sampling sampling, std::size_t points) {
+void expect_tips(const char* shape, Sampling sampling, std::size_t points, std::uint64_t seed = 5) {
   SynthOptions options;
   options.shape = shape;
   options.sampling = sampling;
   options.points = points;
-  options.seed = 5;
+  options.seed = seed;
   const SynthCloud cloud = make_cloud(options);
   ASSERT_FALSE(cloud.shape.tips.empty());
   const MeshedCloud meshed = mesh_cloud(cloud.cloud.points);
@@ -32,6 +32,9 @@ TEST(Tips, TheApexOfAConeIsAVertex) {
   expect_tips("cone", Sampling::blue, 4000);
   expect_tips("cone", Sampling::random, 10000);
 }
+
+// Labels call the samples around it an edge.
+TEST(Tips, ACloudWhoseLabelsMissTheTip) { expect_tips("cone", Sampling::blue, 10000, 6); }
 
 TEST(Tips, SoIsThatOfASpike) {
   expect_tips("spike", Sampling::blue, 4000);

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
+#include "spigolo/mesh/point_cells.h"
 #include "spigolo/sheets/normal_equations.h"
 
 namespace spigolo {
@@ -15,7 +17,7 @@ namespace {
 
 constexpr double same_tip = 1.0;          // [spacings] tips nearer to each other are one
 constexpr double reach = 5.0;             // [spacings] points that far from it tell of a cone
-constexpr double farthest_move = 1.0;     // [spacings] of the apex; more is another cone
+constexpr double farthest_move = 1.5;     // [spacings] of the apex; more is another cone
 constexpr std::size_t least_points = 16;  // against six unknowns
 constexpr std::size_t unknowns = 6;       // apex, two turns of the axis, half opening
 constexpr int most_steps = 20;            // doubts first wide, then narrow
@@ -23,6 +25,14 @@ constexpr double damping = 1e-6;          // against unknowns that the points le
 constexpr double wide = 0.5;              // [spacings] residuals that count half
 constexpr double narrow = 0.05;           // ... in the end, plus twice the noise: no cone beyond
 constexpr double least_share = 0.8;       // of the points within `narrow`
+
+constexpr double most_noise = 0.15;     // [spacings] more hides which cone it is
+constexpr double off_curve = 2.0;       // [spacings] from all creases
+constexpr std::size_t most_stray = 64;  // places looked at; more are no few tips
+constexpr double plain_share = 0.9;     // of the points on a cone without a label ...
+constexpr double top = 2.5;             // [spacings] ... and of those that near to its apex
+const double thinnest = radians(8), flattest = radians(65);  // half the opening
+constexpr std::size_t sectors = 6;                           // around the axis, none empty
 
 struct Cone {
   Vec3 apex, axis;  // unit, into the cone
@@ -85,38 +95,97 @@ bool improve(const std::vector<Vec3>& points, double doubt, Cone& cone) {
   return true;
 }
 
-// Points and noise in spacings, from the apex that labels name; the better one.
-Vec3 apex_of_cone(const std::vector<Vec3>& points, double noise) {
-  if (points.size() < least_points) return {};
+double share_on(const Cone& cone, const std::vector<Vec3>& points, double within, double doubt) {
+  std::size_t all = 0, on_it = 0;
+  for (const Vec3& p : points) {
+    if (distance(p, cone.apex) > within) continue;
+    ++all;
+    on_it += std::abs(residual(cone, place_of(cone, p))) < doubt;
+  }
+  return all == 0 ? 0 : static_cast<double>(on_it) / static_cast<double>(all);
+}
+
+// Points and noise in spacings, from a place near the apex.
+std::optional<Cone> fit_cone(const std::vector<Vec3>& points, double noise) {
+  if (points.size() < least_points) return std::nullopt;
   const double most = narrow + 2 * noise;
   Cone cone = first_cone(points, {});
   for (int step = 0; step < most_steps; ++step)
-    if (!improve(points, 2 * step < most_steps ? wide : most, cone)) return {};
-  const auto on_it = std::count_if(points.begin(), points.end(), [&](const Vec3& p) {
-    return std::abs(residual(cone, place_of(cone, p))) < most;
-  });
-  const bool good = norm(cone.apex) <= farthest_move &&
-                    static_cast<double>(on_it) >= least_share * static_cast<double>(points.size());
-  return good ? cone.apex : Vec3{};
+    if (!improve(points, 2 * step < most_steps ? wide : most, cone)) return std::nullopt;
+  if (!(norm(cone.apex) <= farthest_move) || share_on(cone, points, infinity, most) < least_share)
+    return std::nullopt;
+  return cone;
+}
+
+// The points lie all around the axis, on the cone up to its apex, and it is neither a needle nor
+// nearly flat: a tip even if no label says so.
+bool is_plain(const Cone& cone, const std::vector<Vec3>& points, double noise) {
+  if (!(cone.half > thinnest && cone.half < flattest)) return false;
+  const double most = narrow + 2 * noise;
+  if (share_on(cone, points, infinity, most) < plain_share ||
+      share_on(cone, points, top, most) < plain_share)
+    return false;
+  const Vec3 x = any_perpendicular(cone.axis), y = cross(cone.axis, x);
+  std::array<bool, sectors> seen{};
+  for (const Vec3& p : points) {
+    const Vec3 d = p - cone.apex;
+    const double turn = (std::atan2(dot(d, y), dot(d, x)) + pi) / (2 * pi);
+    seen[std::min(sectors - 1, static_cast<std::size_t>(turn * sectors))] = true;
+  }
+  return std::all_of(seen.begin(), seen.end(), [](bool s) { return s; });
+}
+
+std::vector<Vec3> around(std::span<const Vec3> points, const Vec3& place, double spacing) {
+  std::vector<Vec3> found;
+  for (const Vec3& p : points)
+    if (distance(p, place) < reach * spacing) found.push_back((p - place) / spacing);
+  return found;
+}
+
+bool any_near(const std::vector<Vec3>& places, const Vec3& p, double r) {
+  return std::any_of(places.begin(), places.end(),
+                     [&](const Vec3& place) { return distance(place, p) < r; });
+}
+
+// Points called sharp that lie on no curve, some spacings apart: what is a tip may be among them.
+std::vector<Vec3> find_stray(std::span<const Vec3> points, const Features& features,
+                             const FeatureCurves& network, double spacing) {
+  PointCells creases(off_curve * spacing, points.size() / 16);
+  for (const FeatureCurve& curve : network.curves)
+    for (const Vec3& p : curve.points) creases.insert(p);
+  const auto found = [](std::uint32_t, double) { return true; };
+  std::vector<Vec3> stray;
+  for (std::size_t i = 0; i < features.size() && stray.size() < most_stray; ++i) {
+    const PointKind kind = features.kind[i];
+    if ((kind == PointKind::edge || kind == PointKind::corner) &&
+        !any_near(stray, points[i], same_tip * spacing) &&
+        !creases.any_within(points[i], off_curve * spacing, found))
+      stray.push_back(points[i]);
+  }
+  return stray;
 }
 
 }  // namespace
 
 std::vector<Vec3> find_cone_tips(std::span<const Vec3> points, const Features& features,
-                                 double spacing, double noise) {
-  std::vector<Vec3> tips;
+                                 const FeatureCurves& network, double spacing, double noise) {
+  std::vector<Vec3> named, tips;
   for (std::size_t i = 0; i < features.size(); ++i) {
     const Vec3& p = features.crease_point[i];
-    if (features.kind[i] != PointKind::tip || !is_finite(p)) continue;
-    if (std::none_of(tips.begin(), tips.end(),
-                     [&](const Vec3& tip) { return distance(tip, p) < same_tip * spacing; }))
-      tips.push_back(p);
+    if (features.kind[i] == PointKind::tip && is_finite(p) &&
+        !any_near(named, p, same_tip * spacing))
+      named.push_back(p);
   }
-  for (Vec3& tip : tips) {
-    std::vector<Vec3> around;
-    for (const Vec3& p : points)
-      if (distance(p, tip) < reach * spacing) around.push_back((p - tip) / spacing);
-    tip += spacing * apex_of_cone(around, noise);
+  for (const Vec3& place : named)
+    if (const auto cone = fit_cone(around(points, place, spacing), noise))
+      tips.push_back(place + spacing * cone->apex);
+  if (noise > most_noise) return tips;
+  for (const Vec3& place : find_stray(points, features, network, spacing)) {
+    const std::vector<Vec3> near = around(points, place, spacing);
+    const auto cone = fit_cone(near, noise);
+    if (!cone || !is_plain(*cone, near, noise)) continue;
+    const Vec3 apex = place + spacing * cone->apex;
+    if (!any_near(tips, apex, reach * spacing)) tips.push_back(apex);
   }
   return tips;
 }

@@ -181,8 +181,8 @@ MeshedCloud mesh_cloud(std::span<const Vec3> points, const MeshOptions& options,
   result.seconds_lines = watch.lap();
   std::vector<Vec3> tips;
   if (options.method != SmoothMethod::plain)
-    tips = find_cone_tips(ordered, ordered_features(model, options.features), result.spacing,
-                          result.noise);
+    tips = find_cone_tips(ordered, ordered_features(model, options.features), result.network,
+                          result.spacing, result.noise);
   const SharpSurface surface(std::move(model), options.mls, job);
   SurfacePoints sheets = options.method == SmoothMethod::sheets
                              ? on_sheets(surface, result, job)

@@ -182,7 +182,7 @@ void find_surfaces(MeshSamples samples, const SurfacePoints& surface, SharpMesh&
                    const Job& job) {
   std::vector<Lost> lost;
   for (int i = 0; i < most_parts; ++i) {
-    const Part part = find_surface(std::move(samples), surface, result, job);
+    const Part part = find_surface(std::exchange(samples, {}), surface, result, job);
     const auto left = left_out(part.samples, part.triangles);
     const bool last = left.empty() || i + 1 == most_parts;
     if (!last) samples = take_samples(part.samples, part.sides, left);

@@ -16,7 +16,7 @@ constexpr std::size_t prepared_k = 20;  // neighbors that spacing, noise and she
 constexpr int most_looks = 3;           // the weights follow the result
 constexpr double settled_step = 0.02;   // [spacings]
 constexpr double least_h = 1.3, h_per_noise = 12, largest_h = 6;  // [spacings]
-constexpr double least_reach = 6, reach_per_smoothing = 3;          // [spacings]
+constexpr double least_reach = 6, reach_per_smoothing = 3;        // [spacings]
 
 MlsOptions settle_sharp(const MlsOptions& given, double noise) {
   MlsOptions options = settle(given, noise);  // also says what is out of range

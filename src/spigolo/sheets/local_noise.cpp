@@ -65,7 +65,7 @@ bool is_quiet(const SheetCloud& cloud, const Job& job) {
   // A quantile is below a limit if enough values are, so flags do for values. `low` of
   // noise_levels is never below `exact`.
   constexpr double limit = uneven * exact * quartile_bias * (1 - 1e-9);
-  std::vector<char> flag(cloud.size()), next(cloud.size());
+  std::vector<unsigned char> flag(cloud.size()), next(cloud.size());
   parallel_for(job, "", cloud.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       flag[i] = cloud.sheets[i].whole && cloud.sheets[i].deviation < limit;

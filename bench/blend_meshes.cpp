@@ -15,7 +15,7 @@ namespace spigolo::bench {
 namespace {
 
 using Row = std::vector<std::string>;
-constexpr int panel_width = 640;  // [pixel]
+constexpr int panel_width = 400;  // [pixel]
 
 // As `spigolo blend --sharp --mesh` does it.
 MeshedCloud mesh_of(const BlendScene& scene) {

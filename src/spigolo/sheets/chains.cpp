@@ -5,18 +5,30 @@
 #include "spigolo/sheets/chains.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace spigolo {
 namespace {
 
-constexpr double quiet = 0.1;            // [spacings] of noise: less feigns no edges
-constexpr std::size_t asked = 24;        // neighbors that may be the next of a chain
-constexpr double link = 2.5;             // [spacings] from one to the next
-constexpr double shortest = 4;           // [spacings] from end to end
-constexpr std::size_t surely_long = 64;  // points of a chain that need no measuring
+constexpr double quiet = 0.1;    // [spacings] of noise: less feigns no edges
+constexpr double link = 2.5;     // [spacings] from one to the next
+constexpr double long_link = 5;  // [spacings] the same along one crease, as on scan lines
+constexpr double aligned = 0.95, beside = 0.4;  // cosine of two creases, [spacings] between them
+constexpr double shortest = 4;                  // [spacings] from end to end
+constexpr std::size_t surely_long = 64;         // points of a chain that need no measuring
 
 bool sharp(const SheetVerdict& v) {
   return v.kind == PointKind::edge || v.kind == PointKind::corner;
+}
+
+bool connected(std::span<const Vec3> points, std::span<const SheetVerdict> verdicts,
+               std::uint32_t i, std::uint32_t j, double spacing) {
+  const double away = distance(points[i], points[j]);
+  if (away <= link * spacing) return true;
+  const SheetVerdict &a = verdicts[i], &b = verdicts[j];
+  if (away > long_link * spacing || std::abs(dot(a.direction, b.direction)) < aligned) return false;
+  const Vec3 off = b.crease_point - a.crease_point;
+  return norm(off - a.direction * dot(off, a.direction)) < beside * spacing;
 }
 
 // The marked points that are connected to the first one, as they are reached; at most surely_long.
@@ -28,10 +40,9 @@ std::vector<std::uint32_t> chain_from(std::uint32_t first, std::span<const Vec3>
   reached_from[first] = first;
   for (std::size_t at = 0; at < chain.size(); ++at) {
     const std::uint32_t i = chain[at];
-    const auto row = neighborhoods.of(i);
-    for (const std::uint32_t j : row.first(std::min(asked, row.size()))) {
+    for (const std::uint32_t j : neighborhoods.of(i)) {
       if (!sharp(verdicts[j]) || reached_from[j] == first ||
-          distance(points[i], points[j]) > link * spacing.of_point[i])
+          !connected(points, verdicts, i, j, spacing.of_point[i]))
         continue;
       reached_from[j] = first;
       chain.push_back(j);

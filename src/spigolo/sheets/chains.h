@@ -16,7 +16,8 @@ namespace spigolo {
 
 /// Drops edges and corners that are connected to no more than a few others: with noise above 0.1
 /// [spacings] several neighbors may agree by chance, but not along a row of four spacings. Marked
-/// points are connected from one to the next among their neighbors. All from one snapshot.
+/// points are connected from one to the next among their neighbors, over 2.5 spacings, or 5 along a
+/// crease that both name. All from one snapshot.
 void drop_short_chains(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                        const Spacing& spacing, double noise, std::vector<SheetVerdict>& verdicts,
                        const Job& job = {});

@@ -29,6 +29,24 @@ SmoothOptions by(SmoothMethod method) {
   return options;
 }
 
+// Once one of three thousand went onto a crease across the hole, from some directions only.
+TEST(Smooth, SamplesWithoutNoiseStayWhereTheyAre) {
+  const Vec3 x = normalized(Vec3{0.7, -0.2, 0.55}), y = normalized(cross(Vec3{0.1, 0.9, -0.3}, x));
+  const Vec3 z = cross(x, y);
+  for (const std::uint64_t seed : {91u, 92u, 94u}) {
+    SynthOptions options;
+    options.shape = "boxhole";
+    options.points = 3000;
+    options.sampling = Sampling::random;
+    options.seed = seed;
+    std::vector<Vec3> points = make_cloud(options).cloud.points;
+    for (Vec3& p : points) p = {dot(p, x), dot(p, y), dot(p, z)};
+    const Smoothed s = smooth(points, by(SmoothMethod::sheets));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      ASSERT_LT(s.deviation[i], 0.5 * s.spacing) << "point " << i << ", seed " << seed;
+  }
+}
+
 TEST(Smooth, OneSoundEntryForEveryPoint) {
   for (const double noise : {0.0, 0.3}) {
     const std::vector<Vec3> points = box(noise);

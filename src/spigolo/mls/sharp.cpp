@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t prepared_k = 20;  // neighbors that spacing, noise and sheets start from
 constexpr int most_looks = 3;           // the weights follow the result
 constexpr double settled_step = 0.02;   // [spacings]
+constexpr double stray = 0.5;           // [spacings] no sample without noise is so far off
 constexpr double least_h = 1.3, h_per_noise = 12, largest_h = 6;  // [spacings]
 constexpr double least_reach = 6, reach_per_smoothing = 3;        // [spacings]
 
@@ -56,6 +57,16 @@ SharpSurface::SharpSurface(SheetModel&& model, const MlsOptions& options, const 
   separate_places(model_, tree_, {options_.smoothing, options_.k}, job);
 }
 
+namespace {
+
+// A sample without noise lies on the surface: where the sides of the sheets leave it nothing near,
+// they are wrong.
+bool is_stray(const SharpSurface& surface, bool sample, double moved, double spacing) {
+  return sample && surface.model().tolerances.exact() && moved > stray * spacing;
+}
+
+}  // namespace
+
 SurfacePoint project_sharp(const SharpSurface& surface, const Vec3& query, SheetProbe& probe) {
   SurfacePoint result;
   result.position = query;
@@ -64,11 +75,15 @@ SurfacePoint project_sharp(const SharpSurface& surface, const Vec3& query, Sheet
   Vec3 center = x;
   Foot foot;
   const LocalSheets* sheets = nullptr;
+  bool sample = false;
   for (int look = 0; look < most_looks; ++look) {
     sheets = &probe.look(center);
     result.status = SurfaceStatus::too_far;
     if (!(probe.away() <= surface.options().reach * probe.spacing())) return result;
+    if (look == 0) sample = probe.away() == 0;
     foot = find_nearest_foot(*sheets, x);
+    if (is_stray(surface, sample, distance(foot.position, x), probe.spacing()))
+      foot = find_nearest_sheet(*sheets, x);
     result.status = status_of(foot.kind);
     if (foot.kind == FootKind::none) return result;
     const double step = distance(foot.position, center);

@@ -82,14 +82,6 @@ void offer_corners(const LocalSheets& sheets, const Vec3& query, Nearest& neares
       }
 }
 
-Foot nearest_of_all(const LocalSheets& sheets, const Vec3& query) {
-  Nearest nearest(query);
-  for (std::size_t s = 0; s < sheets.count; ++s)
-    if (const auto foot = find_foot(sheets.sheet[s], query))
-      nearest.offer(FootKind::sheet, *foot, {name(s), 0, 0});
-  return nearest.foot();
-}
-
 }  // namespace
 
 bool LocalSheets::is_surface(std::size_t s, const Vec3& x, std::uint32_t free) const {
@@ -122,8 +114,16 @@ std::optional<Vec3> find_foot(const Sheet& sheet, const Vec3& query) {
   return x;
 }
 
+Foot find_nearest_sheet(const LocalSheets& sheets, const Vec3& query) {
+  Nearest nearest(query);
+  for (std::size_t s = 0; s < sheets.count; ++s)
+    if (const auto foot = find_foot(sheets.sheet[s], query))
+      nearest.offer(FootKind::sheet, *foot, {name(s), 0, 0});
+  return nearest.foot();
+}
+
 Foot find_nearest_foot(const LocalSheets& sheets, const Vec3& query) {
-  if (sheets.count == 1) return nearest_of_all(sheets, query);
+  if (sheets.count == 1) return find_nearest_sheet(sheets, query);
   Nearest nearest(query);
   for (std::size_t s = 0; s < sheets.count; ++s) {
     const auto foot = find_foot(sheets.sheet[s], query);
@@ -131,7 +131,7 @@ Foot find_nearest_foot(const LocalSheets& sheets, const Vec3& query) {
   }
   offer_creases(sheets, query, nearest);
   offer_corners(sheets, query, nearest);
-  return nearest.foot().kind == FootKind::none ? nearest_of_all(sheets, query) : nearest.foot();
+  return nearest.foot().kind == FootKind::none ? find_nearest_sheet(sheets, query) : nearest.foot();
 }
 
 namespace {

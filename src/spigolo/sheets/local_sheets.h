@@ -52,6 +52,9 @@ std::optional<Vec3> find_foot(const Sheet& sheet, const Vec3& query);
 /// If none is valid, the nearest foot on any sheet.
 Foot find_nearest_foot(const LocalSheets& sheets, const Vec3& query);
 
+/// The nearest foot on any of the sheets, wherever their data are.
+Foot find_nearest_sheet(const LocalSheets& sheets, const Vec3& query);
+
 /// A place on a crease of the surface.
 struct CreasePlace {
   Crease crease;                       // point, direction, normals of the two sheets

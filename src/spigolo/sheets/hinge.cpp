@@ -13,8 +13,9 @@ namespace spigolo {
 namespace {
 
 constexpr std::size_t fewest = 16;
-constexpr int angles = 8, offsets = 9, halvings = 4;  // lines tried first, then steps to the best
-constexpr double offset_share = 0.8;                  // of the radius: lines beyond say nothing
+constexpr std::size_t offsets = 9;    // lines tried first at each angle
+constexpr int halvings = 4;           // then steps to the best
+constexpr double offset_share = 0.8;  // of the radius: lines beyond say nothing
 // Of squared residuals, in variances. A hundred lines are tried, some ten of them independent, on
 // every third point: chance must be rarer than one in ten thousand, curvature leaves something too.
 constexpr double significant = 27, worth_a_look = 16;
@@ -41,10 +42,9 @@ void subtract(double* a, const double* b, double factor, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) a[i] -= factor * b[i];
 }
 
-// A fold that tangential noise has blurred, or a fillet: |s| with a round tip.
-double fold_at(double s, double roundness) { return std::sqrt(s * s + roundness * roundness); }
-
 }  // namespace
+
+double HingeTest::angle_of(std::size_t a) { return pi * static_cast<double>(a) / angles; }
 
 void HingeTest::set_frame(std::span<const Vec3> points, double spacing) {
   n_ = points.size();
@@ -89,69 +89,79 @@ bool HingeTest::set_basis() {
     subtract(rest_.data(), column, fitted_[t], n_);
   }
   rest_squares_ = dot_product(rest_.data(), rest_.data(), n_);
+  rows_.resize(n_);
+  for (std::size_t i = 0; i < n_; ++i) {
+    rows_[i][0] = 1;
+    rows_[i][1] = rest_[i];
+    for (std::size_t t = 0; t < terms; ++t) rows_[i][t + 2] = basis_[t * n_ + i];
+  }
   return true;
 }
 
 // Least squares with the fold as a seventh term: the quadric is in both models, so only what the
 // basis leaves of the fold counts.
-HingeTest::Gain HingeTest::gain_of(const Line& line, double roundness) const {
-  const double c = std::cos(line.angle), s = std::sin(line.angle);
-  double squares = 0, common = 0;
+HingeTest::Gain HingeTest::gain_of(const FoldRow& sums) {
   Gain gain;
-  for (std::size_t i = 0; i < n_; ++i) {
-    const double f = fold_at(c * x_[i] + s * y_[i] - line.offset, roundness);
-    squares += f * f;
-    common += f * rest_[i];
-    for (std::size_t t = 0; t < terms; ++t) gain.shared[t] += f * basis_[t * n_ + i];
+  double squares = sums[0];
+  for (std::size_t t = 0; t < terms; ++t) {
+    gain.shared[t] = sums[t + 2];
+    squares -= gain.shared[t] * gain.shared[t];
   }
-  const double all = squares;
-  for (const double share : gain.shared) squares -= share * share;
-  if (!(squares > dependent * all)) return gain;
-  gain.slope = common / squares;
-  gain.squares = common * common / squares;
+  if (!(squares > dependent * sums[0])) return gain;
+  gain.slope = sums[1] / squares;
+  gain.squares = sums[1] * sums[1] / squares;
   return gain;
 }
 
-// The same for all offsets of one angle, from the sums in bins.
-void HingeTest::offer_offsets(double angle, std::span<const double> roundness,
-                              std::span<Line> best) const {
-  for (int o = 0; o < offsets; ++o) {
-    const double offset = offset_share * radius_ * (2.0 * o / (offsets - 1) - 1);
-    for (std::size_t r = 0; r < roundness.size(); ++r) {
-      std::array<double, terms + 1> sums{};
-      double squares = 0;
-      for (std::size_t b = 0; b < bins; ++b) {
-        const double at = (static_cast<double>(b) + 0.5) * bin_width_ - radius_;
-        const double f = fold_at(at - offset, roundness[r]);
-        squares += binned_[0][b] * f * f;
-        for (std::size_t t = 0; t <= terms; ++t) sums[t] += binned_[t + 1][b] * f;
-      }
-      const double all = squares;
-      for (std::size_t t = 1; t <= terms; ++t) squares -= sums[t] * sums[t];
-      if (!(squares > dependent * all)) continue;
-      const double gain = sums[0] * sums[0] / squares;
-      if (gain > best[r].gain) best[r] = {angle, offset, gain};
-    }
-  }
+HingeTest::Gain HingeTest::gain_of(const Line& line, double roundness) {
+  const double c = std::cos(line.angle), s = std::sin(line.angle);
+  heights_.resize(n_);
+  for (std::size_t i = 0; i < n_; ++i) heights_[i] = c * x_[i] + s * y_[i] - line.offset;
+  fold_heights(heights_, roundness);
+  FoldRow sums;
+  sum_folds(rows_, heights_, {&sums, 1});
+  return gain_of(sums);
 }
 
-void HingeTest::find_coarse(std::span<const double> roundness, std::span<Line> best) {
+void HingeTest::fill_bins() {
   bin_width_ = 2 * radius_ / bins;
-  for (int a = 0; a < angles; ++a) {
-    const double angle = pi * a / angles, c = std::cos(angle), s = std::sin(angle);
-    for (auto& row : binned_) row.fill(0);
+  bin_.resize(n_);
+  for (std::size_t a = 0; a < angles; ++a) {
+    const double angle = angle_of(a), c = std::cos(angle), s = std::sin(angle);
     for (std::size_t i = 0; i < n_; ++i) {
       const double place = (c * x_[i] + s * y_[i] + radius_) / bin_width_;
-      const auto b = std::min(bins - 1, static_cast<std::size_t>(std::max(0.0, place)));
-      binned_[0][b] += 1;
-      binned_[1][b] += rest_[i];
-      for (std::size_t t = 0; t < terms; ++t) binned_[t + 2][b] += basis_[t * n_ + i];
+      bin_[i] = std::min<std::uint32_t>(bins - 1, static_cast<std::uint32_t>(std::max(0.0, place)));
     }
-    offer_offsets(angle, roundness, best);
+    binned_[a].fill({});
+    add_to_bins(rows_, bin_, binned_[a]);
   }
 }
 
-HingeTest::Line HingeTest::refined(Line line, double roundness) const {
+// The best of a hundred lines, from the sums in bins: the heights of a fold there are the same for
+// all angles.
+HingeTest::Line HingeTest::coarse(double roundness) {
+  std::array<double, offsets> offset;
+  for (std::size_t o = 0; o < offsets; ++o)
+    offset[o] = offset_share * radius_ * (2.0 * static_cast<double>(o) / (offsets - 1) - 1);
+  heights_.resize(bins * offsets);
+  for (std::size_t b = 0; b < bins; ++b) {
+    const double at = (static_cast<double>(b) + 0.5) * bin_width_ - radius_;
+    for (std::size_t o = 0; o < offsets; ++o) heights_[b * offsets + o] = at - offset[o];
+  }
+  fold_heights(heights_, roundness);
+  Line best;
+  std::array<FoldRow, offsets> sums;
+  for (std::size_t a = 0; a < angles; ++a) {
+    sum_folds(binned_[a], heights_, sums);
+    for (std::size_t o = 0; o < offsets; ++o) {
+      const double gain = gain_of(sums[o]).squares;
+      if (gain > best.gain) best = {angle_of(a), offset[o], gain};
+    }
+  }
+  return best;
+}
+
+HingeTest::Line HingeTest::refined(Line line, double roundness) {
   line.gain = gain_of(line, roundness).squares;
   double turn = pi / angles / 2, move = offset_share * radius_ / (offsets - 1);
   for (int h = 0; h < halvings; ++h, turn /= 2, move /= 2) {
@@ -199,22 +209,21 @@ Hinge HingeTest::find(std::span<const Vec3> points, double spacing) {
   set_frame(points, spacing);
   if (!set_basis()) return {};
   const double blur = std::sqrt(2 / pi) * noise_;  // mean of |s| at s = 0, for normal noise
-  const std::array<double, 4> roundness = {blur, blur + rounds[0], blur + rounds[1],
-                                           blur + rounds[2]};
-  std::array<Line, 4> best;
-  find_coarse(roundness, best);
+  fill_bins();
+  const Line best = coarse(blur);
   const double known = noise_ * noise_, count = static_cast<double>(n_);
-  if (best[0].gain < worth_a_look * known && rest_squares_ < poor_fit * poor_fit * known * count)
+  if (best.gain < worth_a_look * known && rest_squares_ < poor_fit * poor_fit * known * count)
     return {};
-  const Line sharp = refined(best[0], blur);
+  const Line sharp = refined(best, blur);
   const double variance = std::max(known, (rest_squares_ - sharp.gain) / (count - freedom));
   Hinge hinge;
   if (variance > poor_fit * poor_fit * known) hinge.fold = Fold::unclear;
   if (hinge.fold == Fold::unclear || sharp.gain < significant * variance) return hinge;
-  for (std::size_t r = 1; r < roundness.size(); ++r) {
-    const Line round = refined(best[r], roundness[r]);
+  for (const double wider : rounds) {
+    const double roundness = blur + wider;
+    const Line round = refined(coarse(roundness), roundness);
     if (round.gain <= sharp.gain + rounder * variance) continue;
-    hinge = place(round, gain_of(round, roundness[r]), points[0], spacing);
+    hinge = place(round, gain_of(round, roundness), points[0], spacing);
     hinge.fold = hinge.deviation > sharpest ? Fold::unclear : Fold::bend;
     return hinge;
   }

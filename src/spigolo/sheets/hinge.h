@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "spigolo/core/geometry.h"
+#include "spigolo/sheets/fold_sums.h"
 
 namespace spigolo {
 
@@ -48,7 +49,7 @@ class HingeTest {
 
   struct Line {
     double angle = 0, offset = 0;  // of its normal in the plane; [spacings] from the first point
-    double gain = -1;              // of squared residuals
+    double gain = 0;               // of squared residuals
   };
   struct Gain {
     double squares = 0, slope = 0;  // gained, and height per unit of the fold
@@ -57,10 +58,12 @@ class HingeTest {
 
   void set_frame(std::span<const Vec3> points, double spacing);
   bool set_basis();
-  void find_coarse(std::span<const double> roundness, std::span<Line> best);
-  void offer_offsets(double angle, std::span<const double> roundness, std::span<Line> best) const;
-  Gain gain_of(const Line& line, double roundness) const;
-  Line refined(Line line, double roundness) const;
+  void fill_bins();
+  Line coarse(double roundness);
+  static Gain gain_of(const FoldRow& sums);
+  Gain gain_of(const Line& line, double roundness);
+  Line refined(Line line, double roundness);
+  static double angle_of(std::size_t a);
   Hinge place(const Line& line, const Gain& fold, const Vec3& origin, double spacing) const;
 
   double noise_;
@@ -71,9 +74,12 @@ class HingeTest {
   std::vector<double> x_, y_, w_, basis_, rest_;
   std::array<Terms, terms> upper_{};  // quadric terms = basis times this
   Terms fitted_{};                    // of w in the basis
-  static constexpr std::size_t bins = 48;
-  std::array<std::array<double, bins>, terms + 2> binned_{};  // count, rest, basis by distance
+  std::vector<FoldRow> rows_;         // 1, rest, basis of each point
+  static constexpr std::size_t angles = 8, bins = 48;
+  std::array<std::array<FoldRow, bins>, angles> binned_{};  // by distance along each angle
   double bin_width_ = 1;
+  std::vector<std::uint32_t> bin_;
+  std::vector<double> heights_;  // of folds
 };
 
 }  // namespace spigolo

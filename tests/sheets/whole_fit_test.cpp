@@ -117,6 +117,24 @@ TEST(Heights, SameAsOneByOne) {
   }
 }
 
+TEST(Explained, SameAsOneByOne) {
+  const std::vector<Vec3> points = shape("cylinders", Sampling::random, 0.1);
+  const std::span<const Vec3> all = points;
+  const SheetTrust trust = {0.3, 0.02, 2.5, 0.05};
+  for (std::size_t n = 1; n < 40; ++n) {
+    const auto around = all.subspan(17 * n, n + 12);
+    const Sheet sheet = fit_sheet(around, {}, 0.05, SheetOrder::quadric);
+    std::vector<double> at_once(around.size());
+    explained(sheet, around, trust, at_once.data());
+    for (std::size_t t = 0; t < around.size(); ++t) {
+      const double beyond =
+          std::max(0.0, distance(around[t], sheet.origin) / trust.spacing - trust.known);
+      const double off = height(sheet, around[t]) / (trust.limit + trust.growth * beyond * beyond);
+      ASSERT_TRUE(same_bits(at_once[t], std::max(0.0, 1 - off * off))) << n << " " << t;
+    }
+  }
+}
+
 // The plane of all pairs, one after the other.
 Vec3 plane_one_by_one(std::span<const Vec3> points, double tolerance) {
   const std::size_t step = std::max<std::size_t>(1, (points.size() - 1) / 20);

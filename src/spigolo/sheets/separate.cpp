@@ -7,15 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spigolo/sheets/heights.h"
+
 namespace spigolo {
 namespace {
 
 constexpr double exact_noise = 0.02;  // [spacings] with less, fits are as exact as the data
-constexpr double on_floor = 0.08, on_growth = 0.02, wide = 1.9;  // of a seed's reach
-constexpr double distrust = 2;  // [spacings] from a sheet: on none of them
-constexpr std::size_t exact_seeds = 5,
-                      most_seeds = 16;  // own sheets that are tried for each further sheet
-constexpr std::size_t least_gain = 2, gain_share = 24;  // points, share of all
+constexpr double distrust = 2;        // [spacings] from a sheet: on none of them
 constexpr double plane_gain = 12;
 constexpr double far = 0.6;  // share of the width: a sheet that begins there is a plane
 constexpr int exact_rounds = 2, noisy_rounds = 4;
@@ -39,6 +37,7 @@ double fit_ridge(double noise) {
 
 SheetSeparator::SheetSeparator(const SheetModel& model, double noise)
     : model_(model),
+      seeder_(model),
       unit_(std::max({exact_noise, model.tolerances.noise, noise})),
       rare_(noise > 0 ? rare_at_places : rare) {}
 
@@ -54,7 +53,8 @@ void SheetSeparator::take_one(SheetRegion& region) {
 
 bool SheetSeparator::separate(SheetRegion& region, bool join) {
   r_ = &region;
-  seed();
+  r_->sheets.tolerance = std::max(side_floor, side_noise * model_.tolerances.noise);
+  seeder_.seed(region);
   return settle(model_.tolerances.noise < exact_noise ? exact_rounds : noisy_rounds, join);
 }
 
@@ -102,63 +102,30 @@ bool SheetSeparator::settle(int rounds, bool join) {
   return joined;
 }
 
-// Greedily from the points' own sheets: the nearest point's one first, then whichever explains most
-// of what is left. A quadric fitted to fewer points is trusted less the farther it reaches.
-void SheetSeparator::seed() {
-  const double limit = std::max(on_floor, wide * model_.tolerances.noise);
-  const std::size_t seeds = model_.tolerances.noise < exact_noise ? exact_seeds : most_seeds;
-  r_->label.assign(r_->points.size(), -1);
-  r_->sheets.count = 0;
-  r_->sheets.tolerance = std::max(side_floor, side_noise * model_.tolerances.noise);
-  r_->sheets.data_sides.fill(~std::uint64_t{0});
-  const std::size_t stride = std::max<std::size_t>(1, r_->points.size() / 96);
-  const double known = std::sqrt(static_cast<double>(model_.tolerances.k) / pi);
-  // From 1 where the sheet passes a point to 0 where it passes it by.
-  const auto explains = [&](const Sheet& sheet, std::size_t t) {
-    const double beyond =
-        std::max(0.0, distance(r_->points[t], sheet.origin) / r_->spacing - known);
-    const double off = height(sheet, r_->points[t]) / (limit + on_growth * beyond * beyond);
-    return std::max(0.0, 1 - off * off);
-  };
-  while (r_->sheets.count < LocalSheets::most) {
-    std::size_t left = 0;
-    for (std::size_t t = 0; t < r_->points.size(); ++t) left += r_->label[t] < 0;
-    const std::size_t step = std::max<std::size_t>(1, left / seeds);
-    double best_gain = 0;
-    std::size_t seen = 0;
-    const Sheet* best = nullptr;
-    for (std::size_t t = 0; t < r_->points.size(); ++t) {
-      if (r_->label[t] >= 0 || seen++ % step != 0) continue;
-      const Sheet& sheet = model_.own[r_->found[t].index];
-      if (!sheet.fitted()) continue;
-      double gain = 0;
-      for (std::size_t o = 0; o < r_->points.size(); o += stride)
-        if (r_->label[o] < 0) gain += explains(sheet, o);
-      if (gain > best_gain) best_gain = gain, best = &sheet;
-    }
-    const double asked = static_cast<double>(std::max(least_gain, r_->points.size() / gain_share));
-    if (!best || best_gain * static_cast<double>(stride) < asked) break;
-    for (std::size_t t = 0; t < r_->points.size(); ++t)
-      if (r_->label[t] < 0 && explains(*best, t) > 0)
-        r_->label[t] = static_cast<std::int8_t>(r_->sheets.count);
-    r_->sheets.sheet[r_->sheets.count++] = *best;
-  }
+// Heights of the points over every sheet, sheet by sheet.
+void SheetSeparator::measure(std::span<const Vec3> points) {
+  heights_.resize(r_->sheets.count * points.size());
+  for (std::size_t s = 0; s < r_->sheets.count; ++s)
+    heights(r_->sheets.sheet[s], points, &heights_[s * points.size()]);
 }
 
 void SheetSeparator::assign() {
-  for (std::size_t t = 0; t < r_->points.size(); ++t)
-    r_->label[t] = static_cast<std::int8_t>(membership(r_->points[t]).sheet);
+  const std::size_t n = r_->points.size();
+  measure(r_->points);
+  for (std::size_t t = 0; t < n; ++t)
+    r_->label[t] = static_cast<std::int8_t>(membership(t, n, false).sheet);
 }
 
 // The sheet whose valid part is nearest. Where several valid sheets pass, the nearest of them is
-// near by chance; so the odds are those of a mixture of them.
-SheetSeparator::Membership SheetSeparator::membership(const Vec3& p) const {
+// near by chance; so the odds are those of a mixture of them. Of measured point t of n.
+SheetSeparator::Membership SheetSeparator::membership(std::size_t t, std::size_t n,
+                                                      bool odds) const {
   const LocalSheets& sheets = r_->sheets;
   Membership best{-1, distrust * distrust, 0};
   std::array<double, LocalSheets::most> h{};
   std::uint32_t above = 0, open = 0;
   for (std::size_t s = 0; s < sheets.count; ++s) {
-    h[s] = height(sheets.sheet[s], p);
+    h[s] = heights_[s * n + t];
     if (h[s] > 0) above |= 1U << s;
     if (std::abs(h[s]) <= sheets.tolerance) open |= 1U << s;
   }
@@ -172,7 +139,7 @@ SheetSeparator::Membership SheetSeparator::membership(const Vec3& p) const {
       for (std::size_t c = 0; c < sheets.count; ++c)
         if (c != s) over = std::max(over, h[c] * h[c]);
       cost += over;
-    } else if (cost < most_cost * variance) {
+    } else if (odds && cost < most_cost * variance) {
       likelihood += std::exp(-0.5 * cost / variance), valid += 1;
     }
     if (cost < best.cost) best.sheet = static_cast<int>(s), best.cost = cost;
@@ -184,9 +151,12 @@ SheetSeparator::Membership SheetSeparator::membership(const Vec3& p) const {
 
 double SheetSeparator::score(SheetRegion& region, std::size_t stride) {
   r_ = &region;
+  looked_at_.clear();
+  for (std::size_t t = 0; t < r_->points.size(); t += stride) looked_at_.push_back(r_->points[t]);
+  measure(looked_at_);
   double sum = 0;
-  for (std::size_t t = 0; t < r_->points.size(); t += stride)
-    sum += std::min(most_cost, membership(r_->points[t]).badness);
+  for (std::size_t t = 0; t < looked_at_.size(); ++t)
+    sum += std::min(most_cost, membership(t, looked_at_.size(), true).badness);
   const auto n = static_cast<double>(r_->points.size());
   int coefficients = 0;
   for (std::size_t s = 0; s < r_->sheets.count; ++s)
@@ -269,6 +239,7 @@ void SheetSeparator::note_sides() {
   std::array<std::size_t, LocalSheets::most> total{};
   std::array<std::array<float, LocalSheets::most>, LocalSheets::most> sided{};
   r_->sheets.share_above = {};
+  measure(r_->points);
   for (std::size_t t = 0; t < r_->points.size(); ++t) {
     if (r_->label[t] < 0) continue;
     const std::size_t s = static_cast<std::uint8_t>(r_->label[t]);
@@ -276,7 +247,7 @@ void SheetSeparator::note_sides() {
     bool clear = true;
     for (std::size_t c = 0; c < r_->sheets.count; ++c) {
       if (c == s) continue;
-      const double h = height(r_->sheets.sheet[c], r_->points[t]);
+      const double h = heights_[c * r_->points.size() + t];
       const bool on_side = std::abs(h) > r_->sheets.tolerance;
       clear &= on_side;
       if (h > 0) above |= 1U << c;

@@ -4,8 +4,10 @@
 // spigolo/sheets/separate.h - which sheets pass by a place, and which point lies on which
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "spigolo/sheets/seeds.h"
 #include "spigolo/sheets/sheet_model.h"
 #include "spigolo/sheets/sheet_region.h"
 
@@ -43,7 +45,6 @@ class SheetSeparator {
   void label(SheetRegion& region);
 
  private:
-  void seed();
   bool settle(int rounds, bool join);
   void assign();
   struct Membership {
@@ -51,17 +52,21 @@ class SheetSeparator {
     double cost = 0;     // [squared spacings]
     double badness = 0;  // -2 log of the odds, [variances] if there is one sheet
   };
-  Membership membership(const Vec3& p) const;
+  void measure(std::span<const Vec3> points);
+  /// odds: whether badness is asked for.
+  Membership membership(std::size_t t, std::size_t n, bool odds) const;
   void fit();
   Sheet fit_labelled(std::size_t s, std::size_t also);
   bool merge();
   void note_sides();
 
   const SheetModel& model_;
+  SheetSeeder seeder_;
   double unit_;  // [spacings] standard deviation of a point that lies on a sheet
   double rare_;  // share of a sheet's points that may have strayed over a crease
   SheetRegion* r_ = nullptr;
-  std::vector<double> weights_;
+  std::vector<Vec3> looked_at_;
+  std::vector<double> weights_, heights_;
 };
 
 }  // namespace spigolo

@@ -31,6 +31,7 @@ struct RenderCommand {
   std::vector<std::string> files, panel_titles;
   std::string output;
   std::string size = "1600x1200", view = "auto", target, range;
+  int colors = 0;
   bool overlay = false, flat = false, no_legend = false, no_axes = false, no_scale_bar = false;
   SceneOptions scene;
   RenderOptions picture;
@@ -55,6 +56,8 @@ void declare_look(CommandLine& line, RenderCommand& c) {
   line.parameter("--point-size", c.picture.point_size, "times the one that closes the surface")
       ->type_name("X");
   line.parameter("--supersampling", c.picture.supersampling, "samples a side of a pixel, 1 to 4")
+      ->type_name("N");
+  line.parameter("--colors", c.colors, "a small file: a palette of 2 to 256; 0: all colours")
       ->type_name("N");
   line.parameter("--title", c.picture.title, "over the picture")->type_name("TEXT");
   line.parameter("--panel-title", c.panel_titles, "of one file; repeat it for the next")
@@ -114,6 +117,8 @@ void settle(RenderCommand& c) {
     const auto ends = numbers("--range", c.range, ',', 2);
     c.scene.range = std::pair(ends[0], ends[1]);
   }
+  if (c.colors != 0 && (c.colors < 2 || c.colors > 256))
+    throw UsageError("--colors must be 2 to 256, or 0 for all");
   c.picture.view.perspective = !c.flat;
   c.picture.legend = !c.no_legend;
   c.picture.axes = !c.no_axes;
@@ -168,7 +173,7 @@ void run_render(const std::vector<std::string>& arguments) {
   Run run(c.common);
   const std::vector<Panel> panels = read_panels(c, run);
   const double seconds_read = run.lap();
-  const std::vector<std::byte> png = encode_png(draw(c, panels, run.job()));
+  const std::vector<std::byte> png = encode_png(draw(c, panels, run.job()), c.colors);
   AtomicFile file(c.output);
   file.write({reinterpret_cast<const char*>(png.data()), png.size()});
   file.commit();

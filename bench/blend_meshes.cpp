@@ -5,17 +5,16 @@
 #include "blend_meshes.h"
 
 #include "blend_scenes.h"
+#include "picture.h"
 #include "spigolo/core/error.h"
-#include "spigolo/io/atomic_file.h"
 #include "spigolo/pipeline/blend.h"
 #include "spigolo/pipeline/mesh.h"
-#include "spigolo/render/render.h"
 
 namespace spigolo::bench {
 namespace {
 
 using Row = std::vector<std::string>;
-constexpr int panel_width = 400;  // [pixel]
+constexpr int panel_width = 280;  // [pixel]
 
 // As `spigolo blend --sharp --mesh` does it.
 MeshedCloud mesh_of(const BlendScene& scene) {
@@ -41,20 +40,13 @@ Row row_of(const std::string& name, const MeshedCloud& meshed) {
 
 Panel panel_of(const std::string& name, const MeshedCloud& meshed) {
   Panel panel{{}, name};
-  add_mesh(panel.scene, meshed.sharp.mesh, false, true);
+  add_mesh(panel.scene, meshed.sharp.mesh);
   return panel;
 }
 
 void draw(const std::vector<Panel>& panels, const std::filesystem::path& file) {
-  RenderOptions options;
-  options.width = panel_width * static_cast<int>(panels.size()), options.height = panel_width;
-  options.view.direction = parse_view_direction("25,35");
-  options.axes = options.scale_bar = options.legend = false;
-  const std::vector<std::byte> png = encode_png(render_panels(panels, options));
-  std::filesystem::create_directories(file.parent_path());
-  AtomicFile out(file);
-  out.write({reinterpret_cast<const char*>(png.data()), png.size()});
-  out.commit();
+  const int width = panel_width * static_cast<int>(panels.size());
+  save_picture(file, render_panels(panels, bare_look(width, panel_width, "25,35")), kept_colors);
 }
 
 }  // namespace
@@ -63,18 +55,20 @@ void blend_meshes(Report& report, const std::string& data, const std::filesystem
   report.heading(3, "Figures 78 to 80: meshes of blends");
   report.text(
       "`blend --sharp --mesh`: the tube's far end stays open, so a mesh has one border for each "
-      "end that shows. Pictures: pictures/blend-mesh-1.png and so on.");
+      "end that shows.");
+  report.text("![Blends as meshes, edges sharp](pictures/blend-mesh.png)");
   std::vector<BlendScene> scenes = {tube_on_cube(), tube_over_edge()};
   if (!data.empty()) scenes.push_back(tube_on_fandisk(data));
   std::vector<Row> rows;
+  std::vector<Panel> panels;
   for (const BlendScene& scene : scenes) try {
       const MeshedCloud meshed = mesh_of(scene);
       rows.push_back(row_of(scene.name, meshed));
-      draw({panel_of(scene.name, meshed)},
-           pictures / ("blend-mesh-" + std::to_string(rows.size()) + ".png"));
+      panels.push_back(panel_of(scene.name, meshed));
     } catch (const NoResultError& error) {
       rows.push_back({scene.name, std::string("refused: ") + error.what(), "", "", "", "", "", ""});
     }
+  if (!panels.empty()) draw(panels, pictures / "blend-mesh.png");
   report.table(
       {"blend", "triangles", "sound", "borders", "pieces", "Euler", "creases", "triangles taken"},
       rows);

@@ -4,8 +4,7 @@
 // bench/blend_pictures.cpp
 #include "blend_pictures.h"
 
-#include "spigolo/io/atomic_file.h"
-#include "spigolo/render/render.h"
+#include "picture.h"
 
 namespace spigolo::bench {
 namespace {
@@ -30,23 +29,15 @@ Scene scene_of(const Blend& blend) {
 
 }  // namespace
 
-void draw_blends(const std::vector<PictureOf>& blends, const std::filesystem::path& file,
-                 int rows) {
+void draw_blends(const std::vector<PictureOf>& blends, const std::filesystem::path& file, int rows,
+                 int columns, int panel_width) {
   std::vector<Panel> panels;
   for (const PictureOf& one : blends) panels.push_back({scene_of(one.blend), one.title});
   if (panels.empty()) return;
-  RenderOptions options;
-  options.width = 880;  // the repository keeps them
-  options.height = 220 * rows;
-  options.view.direction = parse_view_direction("25,35");
+  RenderOptions options = bare_look(panel_width * columns, panel_width * rows, "25,35");
   options.view.target = Vec3{20.5, 20.5, 46};
   options.view.radius = 21;
-  options.axes = options.scale_bar = options.legend = false;
-  const std::vector<std::byte> png = encode_png(render_panels(panels, options));
-  std::filesystem::create_directories(file.parent_path());
-  AtomicFile out(file);
-  out.write({reinterpret_cast<const char*>(png.data()), png.size()});
-  out.commit();
+  save_picture(file, render_panels(panels, options), kept_colors);
 }
 
 }  // namespace spigolo::bench

@@ -17,7 +17,8 @@ struct PictureOf {
   Blend blend;
 };
 
-/// Panels seen from above and beside. rows: of the picture, for its height only.
-void draw_blends(const std::vector<PictureOf>& blends, const std::filesystem::path& file, int rows);
+/// Panels seen from above and beside, all of one width [pixel].
+void draw_blends(const std::vector<PictureOf>& blends, const std::filesystem::path& file, int rows,
+                 int columns = 4, int panel_width = 220);
 
 }  // namespace spigolo::bench

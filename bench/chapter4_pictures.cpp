@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // bench/chapter4_pictures.cpp - figures 58, 59, 61, 62 and 66 with our data
+#include "picture.h"
 #include "projection.h"
 #include "sections.h"
 #include "spigolo/detect/detect.h"
-#include "spigolo/io/atomic_file.h"
-#include "spigolo/render/image.h"
-#include "spigolo/render/render.h"
 
 namespace spigolo::bench {
 namespace {
@@ -24,14 +22,9 @@ struct Sheet {
 
   void write(const std::filesystem::path& path, int width, int height,
              const std::optional<Vec3>& direction) const {
-    RenderOptions options;
-    options.width = width, options.height = height;
-    options.legend = options.scale_bar = options.axes = false;
+    RenderOptions options = bare_look(width, height);
     options.view.direction = direction;
-    AtomicFile out(path);
-    const std::vector<std::byte> png = encode_png(render_panels(panels, options));
-    out.write({reinterpret_cast<const char*>(png.data()), png.size()});
-    out.commit();
+    save_picture(path, render_panels(panels, options));
   }
 };
 

@@ -122,7 +122,8 @@ void sweep(Report& report, const std::filesystem::path& pictures) {
   report.heading(3, "Figures 81 to 87: varying the collar");
   report.text(
       "The tube on the cube. `tangent` by its radius R, `linear` by t with w = sqrt(2) t, and as "
-      "the thesis varies them, one alone. Picture: pictures/blend-sweep.png.");
+      "the thesis varies them, one alone.");
+  report.text("![Blends of the sweep](pictures/blend-sweep.png)");
   std::vector<Row> rows;
   std::vector<PictureOf> shown;
   const auto run = [&](BlendMethod method, double radius, double height, double width) {
@@ -185,8 +186,8 @@ void noise(Report& report, const std::filesystem::path& pictures) {
   report.text(
       "The tube on the cube; noise in percent of the bounding sphere's radius, seeds 61 to 63, all "
       "values means over them. Radius chosen by the noise (`tangent`), t = 4 (`linear`). The "
-      "cloud's own ripple is that of its MLS surface on the top, measured the same way. Picture: "
-      "pictures/blend-noise.png.");
+      "cloud's own ripple is that of its MLS surface on the top, measured the same way.");
+  report.text("![Blends of noisy clouds](pictures/blend-noise.png)");
   std::vector<Row> rows;
   std::vector<PictureOf> shown;
   for (const double percent : {0.0, 0.1, 0.5, 1.0, 2.0})

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "picture.h"
 #include "report.h"
-#include "spigolo/io/atomic_file.h"
 #include "spigolo/render/canvas.h"
 
 namespace spigolo::bench {
@@ -58,11 +58,7 @@ void write_heat_maps(const std::filesystem::path& png, const std::vector<HeatMap
     draw_panel(image, x, map);
     x += panel_width(map);
   }
-  std::filesystem::create_directories(png.parent_path());
-  AtomicFile out(png);
-  const std::vector<std::byte> bytes = encode_png(image);
-  out.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  out.commit();
+  save_picture(png, image, kept_colors);
 }
 
 }  // namespace spigolo::bench

@@ -8,8 +8,8 @@
 #include <array>
 #include <cmath>
 
+#include "picture.h"
 #include "report.h"
-#include "spigolo/io/atomic_file.h"
 #include "spigolo/render/canvas.h"
 
 namespace spigolo::bench {
@@ -96,11 +96,7 @@ void write_line_charts(const std::filesystem::path& png, const std::vector<LineC
               static_cast<int>(top + height + bottom));
   for (std::size_t p = 0; p < panels.size(); ++p)
     Panel(image, step * static_cast<double>(p), panels[p]).draw();
-  std::filesystem::create_directories(png.parent_path());
-  AtomicFile out(png);
-  const std::vector<std::byte> bytes = encode_png(image);
-  out.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  out.commit();
+  save_picture(png, image, kept_colors);
 }
 
 }  // namespace spigolo::bench

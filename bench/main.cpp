@@ -83,6 +83,7 @@ std::vector<Section> sections(const Arguments& a) {
           {"chapter4", [=](Report& r) { chapter4(r, a.data, a.large); }},
           {"figures", [=](Report& r) { chapter4_pictures(r, a.pictures); }},
           {"meshing", [=](Report& r) { meshing(r, a.data, a.pictures, a.large); }},
+          {"pictures", [=](Report& r) { document_pictures(r, shipped); }},
           {"real",
            [=](Report& r) { a.data.empty() ? no_data(r) : real_clouds(r, a.data, a.pictures); }},
           {"chapter5", [=](Report& r) { chapter5(r, a.data, shipped); }},

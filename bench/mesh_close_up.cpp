@@ -4,15 +4,12 @@
 // bench/mesh_close_up.cpp
 #include "mesh_close_up.h"
 
-#include "spigolo/io/atomic_file.h"
-#include "spigolo/render/image.h"
-#include "spigolo/render/render.h"
+#include "picture.h"
 
 namespace spigolo::bench {
 namespace {
 
-constexpr double reach = 7;       // [spacings] shown around the place
-constexpr int panel_width = 640;  // [pixel]
+constexpr double reach = 7;  // [spacings] shown around the place
 constexpr int line_pieces = 200;
 
 // Triangles around a place only: the rest would set the size of the view.
@@ -30,7 +27,7 @@ TriangleMesh around(const TriangleMesh& mesh, const Vec3& place, double radius) 
 }  // namespace
 
 void draw_close_up(const std::vector<NamedMesh>& meshes, const SynthCloud& cloud,
-                   const std::filesystem::path& file) {
+                   const std::filesystem::path& file, int panel_width, int colors) {
   if (meshes.empty() || cloud.shape.creases.empty()) return;
   const Curve& curve = cloud.shape.creases.front().curve;
   const Vec3 place = curve.at(0.37);
@@ -49,17 +46,12 @@ void draw_close_up(const std::vector<NamedMesh>& meshes, const SynthCloud& cloud
     panel.scene.lines.push_back(truth);
     panels.push_back(std::move(panel));
   }
-  RenderOptions options;
   const int columns = panels.size() > 3 ? 3 : static_cast<int>(panels.size());
   const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
-  options.width = panel_width * columns, options.height = panel_width * rows;
-  options.legend = options.axes = options.scale_bar = false;
+  RenderOptions options = bare_look(panel_width * columns, panel_width * rows);
   options.view.target = place;
   options.view.radius = radius;
-  AtomicFile out(file);
-  const std::vector<std::byte> png = encode_png(render_panels(panels, options));
-  out.write({reinterpret_cast<const char*>(png.data()), png.size()});
-  out.commit();
+  save_picture(file, render_panels(panels, options), colors);
 }
 
 }  // namespace spigolo::bench

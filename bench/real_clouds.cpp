@@ -6,12 +6,10 @@
 
 #include "common.h"
 #include "labelled.h"
+#include "picture.h"
 #include "sample_mesh.h"
 #include "sections.h"
-#include "spigolo/io/atomic_file.h"
 #include "spigolo/io/cloud_file.h"
-#include "spigolo/render/image.h"
-#include "spigolo/render/render.h"
 
 namespace spigolo::bench {
 namespace {
@@ -33,10 +31,7 @@ void write_picture(const fs::path& path, const std::vector<Vec3>& points,
   options.width = 1000;
   options.height = 800;
   options.title = path.stem().string();
-  AtomicFile out(path);
-  const std::vector<std::byte> png = encode_png(render(scene, options));
-  out.write({reinterpret_cast<const char*>(png.data()), png.size()});
-  out.commit();
+  save_picture(path, render(scene, options));
 }
 
 void unlabelled(Report& report, const fs::path& data, const fs::path& pictures) {

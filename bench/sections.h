@@ -32,6 +32,8 @@ void meshing(Report& report, const std::filesystem::path& data,
 void chapter4(Report& report, const std::filesystem::path& data, bool large);
 void local_lines(Report& report, const std::filesystem::path& data);  // tables 3 and 4
 void chapter4_pictures(Report& report, const std::filesystem::path& pictures);
+/// Those of README.md and docs/*.md that no other section draws.
+void document_pictures(Report& report, const std::filesystem::path& pictures);
 /// data may be empty; large: up to ten million points.
 void speed(Report& report, const std::filesystem::path& data, bool large);
 /// Bytes for several numbers of threads; labels of moved clouds.

@@ -154,14 +154,18 @@ TEST_F(Verbs, renderDrawsCloudsMeshesAndPanels) {
                   .status,
               0)
         << color;
+  ASSERT_EQ(run_program({"render", mesh, "-o", path("few.png"), "--colors", "16"}).status, 0);
+  ASSERT_EQ(run_program({"render", mesh, "-o", path("all.png")}).status, 0);
+  EXPECT_LT(2 * content_of(path("few.png")).size(), content_of(path("all.png")).size());
 }
 
 TEST_F(Verbs, renderRefusesWhatItCannotDraw) {
   const std::string mesh = mesh_file("mesh.ply");
   const std::vector<std::vector<std::string>> wrong = {
-      {"--size", "10x"},     {"--size", "9x9"},       {"--view", "sideways"},
-      {"--color", "weight"}, {"--target", "1,2"},     {"--range", "low,high"},
-      {"--zoom", "0"},       {"--supersampling", "9"}};
+      {"--size", "10x"},     {"--size", "9x9"},        {"--view", "sideways"},
+      {"--color", "weight"}, {"--target", "1,2"},      {"--range", "low,high"},
+      {"--zoom", "0"},       {"--supersampling", "9"}, {"--colors", "1"},
+      {"--colors", "257"}};
   for (const auto& option : wrong) {
     const Outcome run = run_program({"render", mesh, "-o", path("pic.png"), option[0], option[1]});
     EXPECT_EQ(run.status, 2) << option[0] << " " << option[1] << ": " << run.err;

@@ -27,8 +27,9 @@ struct Image {
   Color& at(int x, int y) { return pixels[index(x, y)]; }
 };
 
-/// The bytes of a PNG file: 8-bit RGB, one IDAT chunk, no time stamp, so equal images give equal
-/// bytes. Throws UsageError for an image without pixels.
-std::vector<std::byte> encode_png(const Image& image);
+/// The bytes of a PNG file, one IDAT chunk, no time stamp, so equal images give equal bytes.
+/// colors: 0: 8-bit RGB, every pixel as it is; 2 to 256: a palette of at most so many (quantize.h),
+/// a fraction of the size. Throws UsageError for an image without pixels or another number.
+std::vector<std::byte> encode_png(const Image& image, int colors = 0);
 
 }  // namespace spigolo

@@ -1,8 +1,8 @@
 // Copyright 2026 The spigolo authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// spigolo/render/png.cpp - PNG (ISO/IEC 15948), 8-bit RGB, the row filter chosen by the smallest
-// sum
+// spigolo/render/png.cpp - PNG (ISO/IEC 15948): 8-bit RGB, the row filter chosen by the smallest
+// sum; or a palette with 4 or 8 bits a pixel, not filtered, since its numbers have no order
 #include <zlib.h>
 
 #include <array>
@@ -11,6 +11,7 @@
 
 #include "spigolo/core/error.h"
 #include "spigolo/render/image.h"
+#include "spigolo/render/quantize.h"
 
 namespace spigolo {
 namespace {
@@ -18,6 +19,8 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 constexpr std::size_t channels = 3;
 constexpr int filters = 5;
+constexpr int usual_level = 6, best_level = 9;  // of zlib
+constexpr std::size_t half_byte_palette = 16;   // entries that 4 bits can name
 
 void append_u32(Bytes& out, std::uint32_t v) {
   for (int shift = 24; shift >= 0; shift -= 8) out.push_back(static_cast<std::uint8_t>(v >> shift));
@@ -99,13 +102,52 @@ Bytes filtered(const Image& image) {
   return out;
 }
 
-Bytes deflated(const Bytes& raw) {
+Bytes deflated(const Bytes& raw, int level) {
   uLongf size = compressBound(static_cast<uLong>(raw.size()));
   Bytes out(size);
-  if (compress2(out.data(), &size, raw.data(), static_cast<uLong>(raw.size()), 6) != Z_OK)
+  if (compress2(out.data(), &size, raw.data(), static_cast<uLong>(raw.size()), level) != Z_OK)
     throw Error("the picture cannot be compressed");
   out.resize(size);
   return out;
+}
+
+Bytes palette_bytes(const std::vector<Color>& palette) {
+  Bytes bytes;
+  for (const Color& c : palette) bytes.insert(bytes.end(), {c.r, c.g, c.b});
+  return bytes;
+}
+
+// Rows of palette numbers, each behind the number of its filter (none); the left pixel of two in
+// the upper half of a byte.
+Bytes packed_rows(const FewColors& few, std::size_t width, bool halves) {
+  Bytes out;
+  out.reserve(few.pixels.size() + few.pixels.size() / width);
+  for (std::size_t row = 0; row < few.pixels.size(); row += width) {
+    out.push_back(0);
+    for (std::size_t x = 0; x < width; x += halves ? 2 : 1) {
+      const std::uint8_t left = few.pixels[row + x];
+      const std::uint8_t right = halves && x + 1 < width ? few.pixels[row + x + 1] : 0;
+      out.push_back(halves ? static_cast<std::uint8_t>(left << 4 | right) : left);
+    }
+  }
+  return out;
+}
+
+// The chunks of a file around those that hold the colours and pixels.
+std::vector<std::byte> png_file(const Image& image, std::uint8_t bits, std::uint8_t color_type,
+                                const Bytes& palette, const Bytes& rows) {
+  Bytes out = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  Bytes header;
+  append_u32(header, static_cast<std::uint32_t>(image.width));
+  append_u32(header, static_cast<std::uint32_t>(image.height));
+  header.insert(header.end(), {bits, color_type, 0, 0, 0});  // deflate, filters, not interlaced
+  append_chunk(out, "IHDR", header);
+  if (!palette.empty()) append_chunk(out, "PLTE", palette);
+  append_chunk(out, "IDAT", deflated(rows, palette.empty() ? usual_level : best_level));
+  append_chunk(out, "IEND", {});
+  std::vector<std::byte> bytes(out.size());
+  for (std::size_t i = 0; i < out.size(); ++i) bytes[i] = std::byte{out[i]};
+  return bytes;
 }
 
 }  // namespace
@@ -115,19 +157,14 @@ Image::Image(int w, int h, Color fill)
       height(h),
       pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), fill) {}
 
-std::vector<std::byte> encode_png(const Image& image) {
+std::vector<std::byte> encode_png(const Image& image, int colors) {
   if (image.width < 1 || image.height < 1) throw UsageError("a picture without pixels");
-  Bytes out = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  Bytes header;
-  append_u32(header, static_cast<std::uint32_t>(image.width));
-  append_u32(header, static_cast<std::uint32_t>(image.height));
-  header.insert(header.end(), {8, 2, 0, 0, 0});  // 8 bits, RGB, deflate, adaptive, not interlaced
-  append_chunk(out, "IHDR", header);
-  append_chunk(out, "IDAT", deflated(filtered(image)));
-  append_chunk(out, "IEND", {});
-  std::vector<std::byte> bytes(out.size());
-  for (std::size_t i = 0; i < out.size(); ++i) bytes[i] = std::byte{out[i]};
-  return bytes;
+  constexpr std::uint8_t rgb = 2, indexed = 3;
+  if (colors == 0) return png_file(image, 8, rgb, {}, filtered(image));
+  const FewColors few = quantize(image, colors);
+  const bool halves = few.palette.size() <= half_byte_palette;
+  return png_file(image, halves ? 4 : 8, indexed, palette_bytes(few.palette),
+                  packed_rows(few, static_cast<std::size_t>(image.width), halves));
 }
 
 }  // namespace spigolo

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "spigolo/core/error.h"
 #include "spigolo/index/order.h"
@@ -70,8 +71,9 @@ struct Case {
   Shape shape;
 };
 
-Case make_case(const std::string& shape, Sampling sampling, std::size_t points) {
+Case make_case(const std::string& shape, Sampling sampling, std::size_t points, double size = 4) {
   SynthOptions options;
+  options.size = size;
   options.shape = shape;
   options.sampling = sampling;
   options.points = points;
@@ -101,6 +103,33 @@ double farthest_middle(const SharpMesh& sharp, const Shape& shape) {
   for (const auto& [a, b, c] : sharp.mesh.triangles)
     largest = std::max(largest, surface_distance(shape, (p[a] + p[b] + p[c]) / 3));
   return largest;
+}
+
+// The sides of a plate or the chamfers of a box, whose samples say nothing or, misled, have the
+// normal of another sheet.
+SharpMesh mesh_without(const std::function<bool(const Vec3& normal)>& strip, Case& c, bool misled) {
+  c.surface.disagreement *= c.surface.spacing;
+  for (SurfaceFoot& foot : c.surface.points)
+    if (strip(foot.normal)) foot.normal = misled ? Vec3{0, 0, 1} : Vec3{};
+  return build_mesh(c.surface, c.network);
+}
+
+TEST(Mesher, StripsBetweenTwoCreasesNeedNoSamples) {
+  const auto side = [](const Vec3& n) { return std::abs(n.z) < 0.5; };
+  const auto chamfer = [](const Vec3& n) {
+    return std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}) < 0.9;
+  };
+  for (const bool misled : {false, true})
+    for (const double width : {1.0, 1.4}) {
+      Case plate = make_case("plate", Sampling::blue, 2000, width);
+      const SharpMesh thin = mesh_without(side, plate, misled);
+      expect_closed(thin, 2);
+      EXPECT_LT(farthest_middle(thin, plate.shape), 0.05 * plate.surface.spacing) << width;
+      Case box = make_case("chamfer-box", Sampling::blue, 4000, width);
+      const SharpMesh cut = mesh_without(chamfer, box, misled);
+      expect_closed(cut, 2);
+      EXPECT_LT(farthest_middle(cut, box.shape), 0.05 * box.surface.spacing) << width;
+    }
 }
 
 TEST(Mesher, CubesOfAnySamplingAreSharpAndWatertight) {

@@ -10,6 +10,7 @@
 
 #include "spigolo/core/parallel.h"
 #include "spigolo/mesh/point_cells.h"
+#include "spigolo/mesh/strips.h"
 
 namespace spigolo {
 namespace {
@@ -25,6 +26,9 @@ constexpr double support_radius = 2.6;           // [spacings] surface points mu
 constexpr std::size_t least_support = 5;         // ... at least so many ...
 const double widest_support_gap = radians(140);  // ... and all around
 constexpr std::size_t witnesses = 4;             // sheets that are asked where a gap is filled
+constexpr double strip_reach = 0.75;  // [steps] points that near to the middle of a strip ...
+constexpr double strip_depth = 0.25;  // [steps] ... and that near to its plane are in it, ...
+constexpr double strip_turn = 0.7;    // cosine: ... but not of it, if their normal turns so far
 constexpr int most_rounds = 16;
 constexpr std::size_t grain = 1024;
 
@@ -73,17 +77,22 @@ class SheetSampler {
         job_(job),
         creases_(edge.step, 2 * samples.creases.size()),
         taken_(1.2 * edge.step, surface.points.size()),
-        cloud_(surface.spacing, surface.points.size()) {
+        cloud_(surface.spacing, surface.points.size()),
+        strips_(edge.step, samples.creases.size()) {
     for (const Vec3& p : samples.position) creases_.insert(p);
     for (const auto& [a, b] : samples.creases)
       creases_.insert((samples.position[a] + samples.position[b]) * 0.5);
     for (const SurfaceFoot& foot : surface.points) cloud_.insert(foot.position);
   }
 
-  void run() {
+  void run(const std::vector<SurfaceFoot>& strips) {
+    for (const SurfaceFoot& foot : strips) {
+      strips_.insert(foot.position);
+      add(foot, edge_.step);
+    }
     for (std::size_t i = 0; i < surface_.points.size(); ++i) {
       if (i % 65536 == 0) job_.check();
-      take(surface_.points[i], false);
+      if (!misled(surface_.points[i])) take(surface_.points[i], false);
     }
     std::size_t begin = samples_.on_creases;
     for (int round = 0; round < most_rounds && begin < samples_.size(); ++round) {
@@ -113,10 +122,24 @@ class SheetSampler {
     // a sample is worth more than a point between samples: it may stay on a finer mesh
     const double r = sheet_distance * std::min(edge_.step, between ? length : 1.2 * length);
     if (taken_.any_within(foot.position, r, close)) return;
+    add(foot, length);
+  }
+
+  void add(const SurfaceFoot& foot, double length) {
     taken_.insert(foot.position);
     samples_.position.push_back(foot.position);
     samples_.normal.push_back(foot.normal);
     samples_.length.push_back(length);
+  }
+
+  // A point in a strip that took the sheet beside the strip for its own.
+  bool misled(const SurfaceFoot& foot) const {
+    return strips_.any_within(
+        foot.position, strip_reach * edge_.step, [&](std::uint32_t i, double) {
+          const Vec3& n = samples_.normal[samples_.on_creases + i];
+          return std::abs(dot(foot.position - strips_.points()[i], n)) < strip_depth * edge_.step &&
+                 std::abs(dot(foot.normal, n)) < strip_turn;
+        });
   }
 
   bool near_crease(const Vec3& p) const {
@@ -243,7 +266,7 @@ class SheetSampler {
   const EdgeLength edge_;
   MeshSamples& samples_;
   const Job& job_;
-  PointCells creases_, taken_, cloud_;
+  PointCells creases_, taken_, cloud_, strips_;
 };
 
 // A tip that a crease ends in is a vertex already.
@@ -265,8 +288,10 @@ void add_tips(const std::vector<Vec3>& tips, MeshSamples& samples) {
 MeshSamples choose_samples(const SurfacePoints& surface, const FeatureCurves& network,
                            const EdgeLength& edge, const Job& job) {
   MeshSamples samples = sample_creases(network, edge.step);
+  const std::vector<SurfaceFoot> strips = find_strips(surface, samples, job);
   add_tips(surface.tips, samples);
-  SheetSampler(surface, edge, samples, job).run();
+  samples.strips = strips.size();
+  SheetSampler(surface, edge, samples, job).run(strips);
   return samples;
 }
 

@@ -23,7 +23,8 @@ struct EdgeLength {
 };
 
 /// Vertices in one canonical order: those on creases first, tips of cones after them (they count as
-/// on creases, but no segment names them), then those on sheets.
+/// on creases, but no segment names them), then those in strips between creases (see strips.h),
+/// then those on other sheets.
 struct MeshSamples {
   std::vector<Vec3> position;
   std::vector<Vec3> normal;         // unit, sign arbitrary; zero on creases
@@ -31,6 +32,7 @@ struct MeshSamples {
   std::vector<VertexPair> creases;  // segments of the crease curves
   std::vector<std::int32_t> curve;  // per segment, the curve it belongs to
   std::size_t on_creases = 0;       // how many vertices come before those of the sheets
+  std::size_t strips = 0;           // how many of these are in strips
   double step = 1;                  // edge length aimed at
 
   std::size_t size() const { return position.size(); }

@@ -12,8 +12,9 @@
 namespace spigolo {
 namespace {
 
-constexpr double reach = 2.6;     // [steps] how far vertices tell about a crease
-constexpr double in_sheet = 0.3;  // sine of the angle between a sheet and the way there
+constexpr double reach = 2.6;        // [steps] how far vertices tell about a crease
+constexpr double strip_reach = 1.5;  // [steps] the middle of a strip is no farther from its creases
+constexpr double in_sheet = 0.3;     // sine of the angle between a sheet and the way there
 const double same_side = std::cos(radians(18));  // normals closer than this are of one sheet
 constexpr double least_wedge = radians(12);      // sheets closer than this are one
 constexpr std::size_t grain = 256;
@@ -33,21 +34,20 @@ class SideFinder {
       : samples_(samples),
         surface_(surface),
         cells_(samples.step, samples.size() - samples.on_creases),
-        feet_(samples.step, surface.points.size()) {
+        feet_(samples.step, surface.points.size()),
+        strips_(samples.step, samples.strips) {
     for (std::size_t v = samples.on_creases; v < samples.size(); ++v)
       cells_.insert(samples.position[v]);
     for (const SurfaceFoot& foot : surface.points) feet_.insert(foot.position);
+    for (std::size_t i = 0; i < samples.strips; ++i)
+      strips_.insert(samples.position[samples.on_creases + i]);
   }
 
   SideNormals of_vertex(std::uint32_t v) const {
     SideNormals sides;
-    for (const Shown& s : near_feet(samples_.position[v])) {
-      const Vec3& n = surface_.points[s.vertex].normal;
-      bool known = false;
-      for (std::size_t i = 0; i < sides.count; ++i)
-        known |= std::abs(dot(n, sides.normal[i])) > same_side;
-      if (!known && sides.count < most_sides) sides.normal[sides.count++] = n;
-    }
+    add_strips(samples_.position[v], sides);
+    for (const Shown& s : near_feet(samples_.position[v]))
+      add(surface_.points[s.vertex].normal, sides);
     return sides;
   }
 
@@ -94,6 +94,24 @@ class SideFinder {
     return shown;
   }
 
+  static void add(const Vec3& n, SideNormals& sides) {
+    bool known = false;
+    for (std::size_t i = 0; i < sides.count; ++i)
+      known |= std::abs(dot(n, sides.normal[i])) > same_side;
+    if (!known && sides.count < most_sides) sides.normal[sides.count++] = n;
+  }
+
+  // No surface point has the normal of a strip.
+  void add_strips(const Vec3& p, SideNormals& sides) const {
+    strips_.any_within(p, strip_reach * samples_.step, [&](std::uint32_t i, double squared) {
+      const std::size_t v = samples_.on_creases + i;
+      const Vec3& n = samples_.normal[v];
+      if (std::abs(dot(samples_.position[v] - p, n)) <= in_sheet * std::sqrt(squared))
+        add(n, sides);
+      return false;
+    });
+  }
+
   // Surface points whose sheets pass through a place, nearest first.
   std::vector<Shown> near_feet(const Vec3& p) const {
     std::vector<Shown> shown;
@@ -119,7 +137,7 @@ class SideFinder {
 
   const MeshSamples& samples_;
   const SurfacePoints& surface_;
-  PointCells cells_, feet_;
+  PointCells cells_, feet_, strips_;
 };
 
 }  // namespace

@@ -7,7 +7,9 @@
 #include <algorithm>
 
 #include "spigolo/core/random.h"
+#include "spigolo/index/prepared_cloud.h"
 #include "spigolo/sheets/local_noise.h"
+#include "spigolo/synth/synth.h"
 
 namespace spigolo {
 namespace {
@@ -72,6 +74,27 @@ TEST(NoiseLevels, AConstructedCloudHasNone) {
   EXPECT_GT(noise_levels(local, 0.03).size(), 1u);
   std::fill_n(local.begin(), 40, 1e-9);
   EXPECT_EQ(noise_levels(local, 0.0), std::vector<double>{0.0});
+}
+
+std::vector<double> levels_of(const SynthOptions& options) {
+  const PreparedCloud p = prepare_cloud(make_cloud(options).cloud.points, 40);
+  const std::vector<Sheet> own =
+      find_own_sheets(p.cloud.points, p.neighborhoods, p.spacing, sheet_tolerances(p.noise));
+  return noise_levels(estimate_local_noise({p.cloud.points, p.neighborhoods, p.spacing, own}),
+                      p.noise);
+}
+
+// Both sheets of an acute edge lie in the neighborhoods beside it: that is no noise. What a scanner
+// does over half a part is.
+TEST(NoiseLevels, AnAcuteEdgeMakesNone) {
+  SynthOptions options{.shape = "wedge", .sampling = Sampling::random, .noise = 0.1};
+  options.angle = radians(25);
+  for (const std::uint64_t seed : {6u, 7u}) {
+    options.seed = seed;
+    EXPECT_EQ(levels_of(options).size(), 1u);
+  }
+  options.shape = "box", options.noise_gradient = 10;
+  EXPECT_GT(levels_of(options).size(), 1u);
 }
 
 }  // namespace

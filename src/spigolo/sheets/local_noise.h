@@ -12,8 +12,8 @@
 namespace spigolo {
 
 /// Noise at each point [spacings of the point]: the residual of its own sheet where that holds the
-/// whole neighborhood, else of the flattest half of it; lower quartile over the neighbors, then the
-/// median of that over the neighbors again.
+/// whole neighborhood, else of the flattest half of it; lower quartile over the neighbors, a few
+/// times over, so that edges do not count as noise, then the median of that over the neighbors.
 std::vector<double> estimate_local_noise(const SheetCloud& cloud, const Job& job = {});
 
 /// The few levels that a noise differing over the cloud is treated by, lowest first; one alone,

@@ -7,16 +7,17 @@
 #include <algorithm>
 
 #include "spigolo/core/parallel.h"
-#include "spigolo/index/kd_tree.h"
+#include "spigolo/index/row_search.h"
 #include "spigolo/sheets/hinge.h"
 
 namespace spigolo {
 namespace {
 
-constexpr std::size_t grain = 64;
-constexpr std::size_t one_in = 3;  // points is the center of a neighborhood
-constexpr double much = 0.55;      // [spacings] of noise: neighborhoods double twice, else once
-constexpr double reach = 2.5;      // [spacings] of a proposal
+constexpr std::size_t grain = 256;
+constexpr std::size_t one_in = 3;    // points is the center of a neighborhood
+constexpr std::size_t together = 8;  // centers
+constexpr double much = 0.55;        // [spacings] of noise: neighborhoods double twice, else once
+constexpr double reach = 2.5;        // [spacings] of a proposal
 
 std::size_t doublings(const SheetModel& model) { return model.tolerances.noise < much ? 1 : 2; }
 
@@ -33,21 +34,38 @@ Hinge largest_fold(std::span<const Vec3> around, std::size_t smallest, double sp
   }
 }
 
+// The hinges of every one_in-th point; a few centers that lie together seek their neighbors at
+// once.
+void look_around(const SheetModel& model, RowSearch& search, std::size_t k, std::size_t begin,
+                 std::span<Hinge> hinges) {
+  const std::span<const Vec3> points = model.points();
+  HingeTest test(model.tolerances.noise);
+  std::vector<std::uint32_t> centers, rows(together * k);
+  std::vector<Vec3> around;
+  for (std::size_t first = 0; first < hinges.size(); first += together) {
+    centers.clear();
+    Box box;
+    for (std::size_t h = first; h < std::min(first + together, hinges.size()); ++h) {
+      centers.push_back(static_cast<std::uint32_t>((begin + h) * one_in));
+      box.add(points[centers.back()]);
+    }
+    search.find(box, centers, rows.data());
+    for (std::size_t c = 0; c < centers.size(); ++c) {
+      around.assign(1, points[centers[c]]);
+      for (const std::uint32_t j : std::span(rows).subspan(c * k, k)) around.push_back(points[j]);
+      hinges[first + c] = largest_fold(around, model.tolerances.k,
+                                       model.prepared.spacing.of_point[centers[c]], test);
+    }
+  }
+}
+
 std::vector<Hinge> look_around(const SheetModel& model, const Job& job) {
   const KdTree tree(model.prepared.cloud);
-  const std::size_t k = model.tolerances.k;
+  const std::size_t k = std::min(model.tolerances.k << doublings(model), model.size() - 1);
   std::vector<Hinge> hinges((model.size() + one_in - 1) / one_in);
   parallel_for(job, "folds", hinges.size(), grain, [&](std::size_t begin, std::size_t end) {
-    HingeTest test(model.tolerances.noise);
-    std::vector<Neighbor> found;
-    std::vector<Vec3> around;
-    for (std::size_t h = begin; h < end; ++h) {
-      const std::size_t i = h * one_in;
-      tree.nearest(model.points()[i], (k << doublings(model)) + 1, found);
-      around.clear();
-      for (const Neighbor& n : found) around.push_back(model.points()[n.index]);
-      hinges[h] = largest_fold(around, k, model.prepared.spacing.of_point[i], test);
-    }
+    RowSearch search(tree, k);
+    look_around(model, search, k, begin, std::span(hinges).subspan(begin, end - begin));
   });
   return hinges;
 }

@@ -7,6 +7,7 @@
 #include "spigolo/index/group_search.h"
 #include "spigolo/index/kd_tree.h"
 #include "spigolo/index/neighborhoods.h"
+#include "spigolo/index/row_search.h"
 #include "support/clouds.h"
 
 namespace spigolo {
@@ -130,6 +131,29 @@ TEST(GroupSearch, RankIsAStableSort) {
                      [&](auto a, auto b) { return distance[a] < distance[b]; });
     rank_ascending(distance.data(), n, n, ranked.data());
     ASSERT_EQ(ranked, expected) << n;
+  }
+}
+
+// Points that lie together and such that do not, a different number of them each time.
+TEST(RowSearch, FindsWhatOneSearchAPointFinds) {
+  for (const auto& [name, points] : hard_clouds()) {
+    const OrderedCloud cloud = order_cloud(points);
+    const auto n = static_cast<std::uint32_t>(cloud.size());
+    const std::size_t k = std::min<std::size_t>(40, n - 1);
+    const KdTree tree(cloud);
+    RowSearch search(tree, k);
+    for (std::uint32_t first = 0, step = 1; first < n; first += 97, step = step % 60 + 7) {
+      std::vector<std::uint32_t> queries;
+      for (std::uint32_t q = first; q < n && queries.size() < 5; q += step) queries.push_back(q);
+      std::vector<std::uint32_t> rows(queries.size() * k);
+      search.find(queries, rows.data());
+      for (std::size_t q = 0; q < queries.size(); ++q) {
+        const auto row = rows.begin() + static_cast<std::ptrdiff_t>(q * k);
+        ASSERT_EQ(std::vector<std::uint32_t>(row, row + static_cast<std::ptrdiff_t>(k)),
+                  brute_force(cloud.points, queries[q], k))
+            << name << " " << queries[q];
+      }
+    }
   }
 }
 

@@ -52,7 +52,7 @@ Neighborhoods find_neighborhoods(const KdTree& tree, std::size_t k, const Job& j
     for (const Group& group : std::span(groups).subspan(begin, end - begin)) {
       queries.resize(group.end - group.begin);
       std::iota(queries.begin(), queries.end(), group.begin);
-      search.find(tree.nodes()[group.node].box, queries, &result.index[group.begin * result.k]);
+      search.find(queries, &result.index[group.begin * result.k]);
     }
   });
   return result;

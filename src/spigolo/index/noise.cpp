@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/index/flattest_half.h"
 
 namespace spigolo {
 namespace {
@@ -37,7 +38,6 @@ constexpr double scatter_factor = 1.04;
 constexpr double much = 0.4;
 constexpr std::size_t wide_k = 64, wide_looks = 2000;
 constexpr double wide_quartile = 0.937, wide_saturation = 1.35;
-constexpr double needle_sine = 0.3;  // planes through thinner triangles say little
 
 Eigen::Vector3d eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
 
@@ -75,29 +75,12 @@ double quadric_deviation(const Eigen::MatrixX3d& rows) {
   return std::sqrt(residual.squaredNorm() / static_cast<double>(rows.rows() - 6));
 }
 
-// Median distance of the neighbors to the plane through the point and two of them that has the
-// smallest one: half of them may lie on other sheets.
 double half_deviation(std::span<const Vec3> points, std::size_t i,
                       std::span<const std::uint32_t> neighbors, double spacing) {
-  std::array<Vec3, quadric_k> e;
-  for (std::size_t t = 0; t < e.size(); ++t) e[t] = (points[neighbors[t]] - points[i]) / spacing;
-  double least = infinity;
-  for (std::size_t a = 0; a < e.size(); ++a) {
-    for (std::size_t b = a + 1; b < e.size(); ++b) {
-      const Vec3 n = cross(e[a], e[b]), unit = normalized(n);
-      if (norm(n) < needle_sine * norm(e[a]) * norm(e[b])) continue;
-      std::array<double, quadric_k> off;
-      std::size_t closer = 0;
-      for (std::size_t t = 0; t < e.size(); ++t) {
-        off[t] = std::abs(dot(unit, e[t]));
-        closer += off[t] < least;
-      }
-      if (closer <= quadric_k / 2) continue;  // half of them do not lie closer than before
-      std::nth_element(off.begin(), off.begin() + quadric_k / 2, off.end());
-      least = off[quadric_k / 2];
-    }
-  }
-  return least;
+  std::array<Vec3, half_of> offset;
+  for (std::size_t t = 0; t < half_of; ++t)
+    offset[t] = (points[neighbors[t]] - points[i]) / spacing;
+  return flattest_half(offset);
 }
 
 double lower_quartile(std::vector<double>& values) {
@@ -136,7 +119,7 @@ double estimate_wide_noise(std::span<const Vec3> points, const KdTree& tree, con
 
 double noise_of_flattest_half(std::span<const Vec3> points, std::size_t i,
                               std::span<const std::uint32_t> row, double spacing) {
-  return half_factor * half_deviation(points, i, row.first(quadric_k), spacing);
+  return half_factor * half_deviation(points, i, row.first(half_of), spacing);
 }
 
 double estimate_noise(std::span<const Vec3> points, const Neighborhoods& neighborhoods,

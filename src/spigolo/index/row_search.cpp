@@ -19,7 +19,9 @@ constexpr std::size_t max_candidates = 1500;  // more are no longer cheaper than
 
 // Candidates within reach_ of the group's box are enough for a query whose k-th neighbor is no
 // farther than reach_; a query that needs more is searched by itself, and reach_ learns from it.
-void RowSearch::find(const Box& box, std::span<const std::uint32_t> queries, std::uint32_t* rows) {
+void RowSearch::find(std::span<const std::uint32_t> queries, std::uint32_t* rows) {
+  Box box;
+  for (const std::uint32_t q : queries) box.add(tree_.points()[q]);
   if (reach_ == 0) last_ = alone(queries.front(), rows), reach_ = first_reach * last_;
   const bool gathered = gather(box);
   double farthest = 0, nearest = infinity;

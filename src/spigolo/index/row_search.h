@@ -21,8 +21,8 @@ class RowSearch {
   RowSearch(const KdTree& tree, std::size_t k) : tree_(tree), k_(k) {}  // k: below the tree's size
 
   /// rows[q * k] on: the k nearest neighbors of point queries[q], itself left out, nearest first,
-  /// ties by the canonical order. queries: ascending, all in `box`.
-  void find(const Box& box, std::span<const std::uint32_t> queries, std::uint32_t* rows);
+  /// ties by the canonical order. queries: ascending, at least one.
+  void find(std::span<const std::uint32_t> queries, std::uint32_t* rows);
 
  private:
   bool gather(const Box& box);

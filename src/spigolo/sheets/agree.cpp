@@ -5,6 +5,8 @@
 #include "spigolo/sheets/agree.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 #include "spigolo/core/parallel.h"
@@ -25,24 +27,32 @@ constexpr double probable = 0.27;       // so likely, it is said to
 
 struct Vote {
   Vec3 foot;  // point of the neighbor's crease beside the asking point
-  const SheetVerdict* from;
+  const SheetVerdict* from = nullptr;
 };
 
-// The votes that agree best: around each in turn, the most others.
-std::vector<Vote> largest_group(const std::vector<Vote>& votes, double spacing) {
-  std::vector<Vote> best;
-  for (const Vote& center : votes) {
-    std::vector<Vote> group;
-    for (const Vote& vote : votes)
-      if (distance(vote.foot, center.foot) < spread * spacing &&
-          std::abs(dot(vote.from->direction, center.from->direction)) > parallel)
-        group.push_back(vote);
-    if (group.size() > best.size()) best = std::move(group);
+// The votes that agree best, in their order: around each in turn, the most others. At most 64.
+std::span<const Vote> largest_group(std::span<Vote> votes, double spacing) {
+  std::array<std::uint64_t, asked + 1> with{};  // the votes that agree with each
+  std::size_t best = 0;
+  for (std::size_t a = 0; a < votes.size(); ++a) {
+    with[a] |= std::uint64_t{1} << a;
+    for (std::size_t b = a + 1; b < votes.size(); ++b) {
+      if (std::abs(dot(votes[a].from->direction, votes[b].from->direction)) <= parallel ||
+          distance(votes[a].foot, votes[b].foot) >= spread * spacing)
+        continue;
+      with[a] |= std::uint64_t{1} << b;
+      with[b] |= std::uint64_t{1} << a;
+    }
   }
-  return best;
+  for (std::size_t a = 1; a < votes.size(); ++a)
+    if (std::popcount(with[a]) > std::popcount(with[best])) best = a;
+  std::size_t kept = 0;
+  for (std::size_t a = 0; a < votes.size(); ++a)
+    if (with[best] >> a & 1) votes[kept++] = votes[a];
+  return votes.first(kept);
 }
 
-SheetVerdict mean_of(const std::vector<Vote>& votes) {
+SheetVerdict mean_of(std::span<const Vote> votes) {
   const double n = static_cast<double>(votes.size());
   std::size_t folded = 0;
   SheetVerdict verdict;
@@ -71,7 +81,8 @@ SheetVerdict ask(std::span<const Vec3> points, std::span<const std::uint32_t> ne
                  double noise) {
   const SheetVerdict& own = proposals[i];
   if (own.kind == PointKind::corner || own.kind == PointKind::border) return own;
-  std::vector<Vote> votes;
+  std::array<Vote, asked + 1> heard;
+  std::size_t count = 0;
   std::size_t bends = 0;
   const auto hear = [&](std::uint32_t j) {
     const SheetVerdict& v = proposals[j];
@@ -79,12 +90,12 @@ SheetVerdict ask(std::span<const Vec3> points, std::span<const std::uint32_t> ne
     if (v.kind != PointKind::edge) return;
     const double along = dot(points[i] - v.crease_point, v.direction);
     if (std::abs(along) <= longest * spacing)
-      votes.push_back({v.crease_point + v.direction * along, &v});
+      heard[count++] = {v.crease_point + v.direction * along, &v};
   };
   hear(i);
   for (const std::uint32_t j : neighbors.first(std::min(asked, neighbors.size()))) hear(j);
-  if (votes.size() < least_votes) return {};
-  const std::vector<Vote> group = largest_group(votes, spacing);
+  if (count < least_votes) return {};
+  const std::span<const Vote> group = largest_group(std::span(heard).first(count), spacing);
   if (group.size() < least_votes ||
       static_cast<double>(group.size()) < against * static_cast<double>(bends))
     return {};

@@ -44,12 +44,9 @@ void look_around(const SheetModel& model, RowSearch& search, std::size_t k, std:
   std::vector<Vec3> around;
   for (std::size_t first = 0; first < hinges.size(); first += together) {
     centers.clear();
-    Box box;
-    for (std::size_t h = first; h < std::min(first + together, hinges.size()); ++h) {
+    for (std::size_t h = first; h < std::min(first + together, hinges.size()); ++h)
       centers.push_back(static_cast<std::uint32_t>((begin + h) * one_in));
-      box.add(points[centers.back()]);
-    }
-    search.find(box, centers, rows.data());
+    search.find(centers, rows.data());
     for (std::size_t c = 0; c < centers.size(); ++c) {
       around.assign(1, points[centers[c]]);
       for (const std::uint32_t j : std::span(rows).subspan(c * k, k)) around.push_back(points[j]);

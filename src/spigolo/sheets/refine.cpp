@@ -9,14 +9,16 @@
 #include <utility>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/index/row_search.h"
 #include "spigolo/sheets/sheet_probe.h"
 
 namespace spigolo {
 namespace {
 
-constexpr std::size_t grain = 32;
-constexpr double reach = 2.5;       // [spacings] a crease this close is a proposal
-constexpr double little = 0.3;      // [spacings] of noise: wider fits know the place better
+constexpr std::size_t grain = 64;
+constexpr std::size_t together = 8;  // candidates that seek their neighbors at once
+constexpr double reach = 2.5;        // [spacings] a crease this close is a proposal
+constexpr double little = 0.3;       // [spacings] of noise: wider fits know the place better
 constexpr double one_sheet = 1.25;  // [standard deviations] a single sheet that fits so well is all
 constexpr double corner_reach = 0.9;  // [spacings]
 constexpr std::size_t asked = 8;      // neighbors that make a point a candidate
@@ -67,26 +69,37 @@ SheetVerdict verdict_by(const CreasePlace& place, const Vec3& p, double spacing)
   return verdict;
 }
 
+SheetVerdict refine(const SheetModel& model, std::uint32_t i, const SheetOptions& options,
+                    const LocalSheets& sheets) {
+  if (model.verdicts[i].folded == 0 && sheets.count == 1 &&
+      sheets.sheet[0].deviation < one_sheet * model.tolerances.noise)
+    return {};
+  const Vec3& p = model.points()[i];
+  SheetVerdict refined;
+  const auto place = find_nearest_crease(sheets, p);
+  if (place && place->deviation >= least_deviation(options.sensitivity))
+    refined = verdict_by(*place, p, model.prepared.spacing.of_point[i]);
+  return refined.kind == PointKind::surface ? model.verdicts[i] : refined;
+}
+
 }  // namespace
 
 void refine_creases(SheetModel& model, const SheetOptions& options, const Job& job) {
   const KdTree tree(model.prepared.cloud);
-  const double noise = model.tolerances.noise;
+  const ProbeReach reach = probe_reach(model.tolerances.noise);
+  const std::size_t k = std::min(reach.k, model.size()) - 1;
   const std::vector<std::uint32_t> near = candidates(model);
   std::vector<SheetVerdict> refined(near.size());
   parallel_for(job, "creases", near.size(), grain, [&](std::size_t begin, std::size_t end) {
-    SheetProbe probe(model, tree, probe_reach(noise));
-    for (std::size_t c = begin; c < end; ++c) {
-      const std::uint32_t i = near[c];
-      const Vec3& p = model.points()[i];
-      const LocalSheets& sheets = probe.look(p);
-      if (model.verdicts[i].folded == 0 && sheets.count == 1 &&
-          sheets.sheet[0].deviation < one_sheet * noise)
-        continue;
-      const auto place = find_nearest_crease(sheets, p);
-      if (place && place->deviation >= least_deviation(options.sensitivity))
-        refined[c] = verdict_by(*place, p, model.prepared.spacing.of_point[i]);
-      if (refined[c].kind == PointKind::surface) refined[c] = model.verdicts[i];
+    SheetProbe probe(model, tree, reach);
+    RowSearch search(tree, k);
+    std::vector<std::uint32_t> rows(together * k);
+    for (; begin < end; begin += together) {
+      const auto some = std::span(near).subspan(begin, std::min(together, end - begin));
+      search.find(some, rows.data());
+      for (std::size_t c = 0; c < some.size(); ++c)
+        refined[begin + c] = refine(model, some[c], options,
+                                    probe.look_at(some[c], std::span(rows).subspan(c * k, k)));
     }
   });
   for (std::size_t c = 0; c < near.size(); ++c) model.verdicts[near[c]] = refined[c];

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "spigolo/core/symmetric3.h"
+#include "spigolo/sheets/heights.h"
 #include "spigolo/sheets/normal_equations.h"
 
 namespace spigolo {
@@ -73,11 +74,14 @@ bool fit_quadric(std::span<const Vec3> points, std::span<const char> use, Sheet&
 
 double weighted_deviation(const Sheet& s, std::span<const Vec3> points,
                           std::span<const double> weights, double total) {
+  constexpr std::size_t at_once = 64;
+  std::array<double, at_once> h;
   double squares = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!(weights[i] > 0)) continue;
-    const double h = height(s, points[i]);
-    squares += weights[i] * h * h;
+  for (std::size_t begin = 0; begin < points.size(); begin += at_once) {
+    const std::size_t n = std::min(at_once, points.size() - begin);
+    heights(s, points.subspan(begin, n), h.data());
+    for (std::size_t i = 0; i < n; ++i)
+      if (weights[begin + i] > 0) squares += weights[begin + i] * h[i] * h[i];
   }
   return std::sqrt(squares / total);
 }

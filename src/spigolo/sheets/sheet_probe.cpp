@@ -48,6 +48,14 @@ const LocalSheets& SheetProbe::look(const Vec3& center) {
   return fitted_;
 }
 
+const LocalSheets& SheetProbe::look_at(std::uint32_t point,
+                                       std::span<const std::uint32_t> neighbors) {
+  gather_region(model_, point, neighbors, reach_.smoothing, region_);
+  seek(!model_.plain.empty() && model_.plain[point]);
+  away_ = 0, spacing_ = region_.spacing, slack_ = 0, place_ = point;
+  return region_.sheets;
+}
+
 std::uint32_t SheetProbe::place_at(const Vec3& x) {
   tree_.nearest(x, 1, nearest_);
   const std::uint32_t nearest = nearest_.front().index;

@@ -32,6 +32,9 @@ class SheetProbe {
   /// Valid until the next look. count is 0 where there is no data to fit anything to.
   const LocalSheets& look(const Vec3& center);
 
+  /// The same at a point of the model without places, whose reach.k - 1 neighbors are known.
+  const LocalSheets& look_at(std::uint32_t point, std::span<const std::uint32_t> neighbors);
+
   double away() const { return away_; }        // of the last look's center from the nearest point
   double spacing() const { return spacing_; }  // at the last place
   /// Place whose sheets the last look used, and the one a look at x would use.

@@ -51,6 +51,20 @@ void gather_region(const SheetModel& model, const KdTree& tree, const Vec3& cent
   for (const Neighbor& n : region.found) region.points.push_back(model.points()[n.index]);
 }
 
+void gather_region(const SheetModel& model, std::uint32_t point,
+                   std::span<const std::uint32_t> neighbors, double smoothing,
+                   SheetRegion& region) {
+  region.center = model.points()[point];
+  region.smoothing = smoothing;
+  region.spacing = model.prepared.spacing.of_point[point];
+  region.found.assign(1, {0, point});
+  region.points.assign(1, region.center);
+  for (const std::uint32_t j : neighbors) {
+    region.points.push_back(model.points()[j]);
+    region.found.push_back({squared_distance(region.points.back(), region.center), j});
+  }
+}
+
 PartedRegion part(const SheetRegion& region, double noise, std::span<const CreasePin> pins) {
   PartedRegion r{region.center, region.spacing, region.smoothing, 0, {}, {}, {}, region.sheets};
   r.radius = std::sqrt(region.found.back().squared_distance);

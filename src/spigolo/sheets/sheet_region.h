@@ -29,6 +29,10 @@ struct SheetRegion {
 void gather_region(const SheetModel& model, const KdTree& tree, const Vec3& center,
                    const ProbeReach& reach, SheetRegion& region);
 
+/// A point of the model and its neighbors, nearest first.
+void gather_region(const SheetModel& model, std::uint32_t point,
+                   std::span<const std::uint32_t> neighbors, double smoothing, SheetRegion& region);
+
 /// When they are known: points of one sheet side by side, ready to be fitted around any query near
 /// the place.
 struct PartedRegion {

@@ -132,9 +132,9 @@ Sheet try_harder(std::span<const Vec3> points, double spacing, const SheetTolera
 }
 
 // Exactly sampled flats that run through a point know it better than its own fit across a crease.
-void adopt_exact_sheet(const Vec3& p, std::span<const std::uint32_t> row,
-                       std::span<const Sheet> first, Sheet& own) {
-  if (own.whole || own.deviation < doubtful_fit) return;
+const Sheet* find_exact_sheet(const Vec3& p, std::span<const std::uint32_t> row,
+                              std::span<const Sheet> first, const Sheet& own) {
+  if (own.whole || own.deviation < doubtful_fit) return nullptr;
   const double limit = own.deviation / better_fit;
   const Sheet* best = nullptr;
   for (const std::uint32_t j : row) {
@@ -144,9 +144,7 @@ void adopt_exact_sheet(const Vec3& p, std::span<const std::uint32_t> row,
         std::abs(height(s, p)) <= std::max(exact_on, 2 * s.deviation))
       best = &s;
   }
-  if (!best) return;
-  own = *best;
-  own.whole = false;
+  return best;
 }
 
 // With noise: beside a crease the neighborhood of some neighbor, farther from it, lies on the
@@ -208,12 +206,9 @@ Sheet find_part_sheet(std::span<const Vec3> points, double spacing,
 std::vector<Sheet> find_own_sheets(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                                    const Spacing& spacing, const SheetTolerances& tolerances,
                                    const Job& job) {
+  using Better = std::pair<std::uint32_t, Sheet>;
+  const bool exact = tolerances.exact();
   const std::size_t k = std::min(tolerances.k, neighborhoods.k);
-  const auto fit_all = [&](std::vector<Sheet>& fitted, std::size_t begin, std::size_t end) {
-    fit_whole_sheets({points, neighborhoods, spacing, k}, begin, end, &fitted[begin]);
-    for (std::size_t i = begin; i < end; ++i)
-      fitted[i].whole = fitted[i].deviation < tolerances.smooth();
-  };
   const auto part = [&](std::size_t i, std::vector<Vec3>& around, std::vector<char>& scratch) {
     around.assign(1, points[i]);
     for (const std::uint32_t j : neighborhoods.of(i).first(k)) around.push_back(points[j]);
@@ -221,31 +216,33 @@ std::vector<Sheet> find_own_sheets(std::span<const Vec3> points, const Neighborh
   };
   auto sheets = parallel_array<Sheet>(job, points.size());
   parallel_for(job, "sheets", points.size(), grain, [&](std::size_t begin, std::size_t end) {
-    fit_all(sheets, begin, end);
-    std::vector<Vec3> around;
-    std::vector<char> scratch;
-    for (std::size_t i = begin; tolerances.exact() && i < end; ++i)
-      if (!sheets[i].whole) sheets[i] = part(i, around, scratch);
-  });
-  const std::vector<Sheet> whole = sheets;
-  if (tolerances.exact()) {
-    parallel_for(job, "", points.size(), grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        adopt_exact_sheet(points[i], neighborhoods.of(i).first(k), whole, sheets[i]);
-    });
-    return sheets;
-  }
-  parallel_for(job, "sheets", points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    fit_whole_sheets({points, neighborhoods, spacing, k}, begin, end, &sheets[begin]);
     std::vector<Vec3> around;
     std::vector<char> scratch;
     for (std::size_t i = begin; i < end; ++i) {
-      if (whole[i].whole) continue;
-      const auto row = neighborhoods.of(i).first(k);
-      const Sheet* best = take_from_neighbors(points[i], row, whole, tolerances);
-      sheets[i] = best ? *best : part(i, around, scratch);
-      sheets[i].whole = false;
+      sheets[i].whole = sheets[i].deviation < tolerances.smooth();
+      if (exact && !sheets[i].whole) sheets[i] = part(i, around, scratch);
     }
   });
+  // All of them look at the first sheets of the others; few are better.
+  const auto better = parallel_collect<Better>(
+      job, points.size(), grain, [&](std::size_t begin, std::size_t end, auto& found) {
+        std::vector<Vec3> around;
+        std::vector<char> scratch;
+        for (std::size_t i = begin; i < end; ++i) {
+          if (sheets[i].whole) continue;
+          const auto row = neighborhoods.of(i).first(k);
+          const Sheet* best = exact ? find_exact_sheet(points[i], row, sheets, sheets[i])
+                                    : take_from_neighbors(points[i], row, sheets, tolerances);
+          if (!exact || best)
+            found.emplace_back(static_cast<std::uint32_t>(i),
+                               best ? *best : part(i, around, scratch));
+        }
+      });
+  for (const auto& [i, sheet] : better) {
+    sheets[i] = sheet;
+    sheets[i].whole = false;
+  }
   return sheets;
 }
 

@@ -21,6 +21,13 @@ constexpr std::array<Color, 4> colors = {
     {{31, 119, 180}, {214, 69, 65}, {44, 140, 70}, {130, 90, 160}}};
 constexpr Color grid = {225, 225, 225};
 
+// "1.5", "30 k", "1 M".
+std::string short_text(double x) {
+  if (x >= 1e6) return number(x / 1e6) + " M";
+  if (x >= 1e3) return number(x / 1e3) + " k";
+  return number(x, x == std::floor(x) ? 0 : 1);
+}
+
 class Panel {
  public:
   Panel(Image& image, double x0, const LineChart& chart) : image_(image), x0_(x0), chart_(chart) {}
@@ -34,20 +41,24 @@ class Panel {
   }
 
  private:
-  double scaled(double value) const { return chart_.decades ? std::log10(value) : value; }
+  static double scaled(double value, bool decades) { return decades ? std::log10(value) : value; }
+  // Share of the way from a to b.
+  static double share(double value, double a, double b, bool decades) {
+    return (scaled(value, decades) - scaled(a, decades)) /
+           (scaled(b, decades) - scaled(a, decades));
+  }
 
   Spot place(double x, double value) const {
     const double shown = std::clamp(value, chart_.low, chart_.high);
-    const double up =
-        (scaled(shown) - scaled(chart_.low)) / (scaled(chart_.high) - scaled(chart_.low));
-    const double across = (x - chart_.x.front()) / (chart_.x.back() - chart_.x.front());
+    const double up = share(shown, chart_.low, chart_.high, chart_.decades);
+    const double across = share(x, chart_.x.front(), chart_.x.back(), chart_.x_decades);
     return {x0_ + left + across * width, top + (1 - up) * height};
   }
 
   void draw_grid() const {
     for (const double x : chart_.x) {
       draw_line(image_, place(x, chart_.low), place(x, chart_.high), 1, grid);
-      const std::string text = number(x, x == std::floor(x) ? 0 : 1);
+      const std::string text = short_text(x);
       const Spot at = place(x, chart_.low);
       draw_text(image_, {at.x - text_width(text, {8, ink, 1}) / 2, at.y + 16}, text, {8, ink, 1});
     }

@@ -18,6 +18,7 @@ struct LineChart {
   std::vector<std::pair<std::string, std::vector<double>>> curves;
   double low = 0, high = 1;   // of the upright axis; what lies outside is drawn at its end
   bool decades = false;       // the upright axis is logarithmic
+  bool x_decades = false;     // the other one is
   bool legend_below = false;  // at the lower left, not the upper right
 };
 

@@ -89,7 +89,7 @@ std::vector<Section> sections(const Arguments& a) {
           {"chapter5", [=](Report& r) { chapter5(r, a.data, shipped); }},
           {"lines", [=](Report& r) { feature_lines(r, a.data); }},
           {"determinism", determinism},
-          {"speed", [=](Report& r) { speed(r, a.data, a.large); }},
+          {"speed", [=](Report& r) { speed(r, a.data, shipped, a.large); }},
           {"peers", name_rivals}};
 }
 

@@ -4,6 +4,10 @@
 // bench/meter.cpp - clocks and /proc of Linux
 #include "meter.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <chrono>
 #include <ctime>
@@ -29,6 +33,13 @@ std::size_t status_bytes(const std::string& name) {
   return 0;
 }
 
+// What was freed goes back to the system, or it would hide what is taken next.
+void return_freed() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 // From here on the highest resident memory is counted anew.
 void reset_peak() { std::ofstream("/proc/self/clear_refs") << 5; }
 
@@ -41,6 +52,7 @@ double wall_seconds() {
 }
 
 Meter::Meter() {
+  return_freed();
   reset_peak();
   resident_ = status_bytes("VmRSS:");
   own_ = clock_seconds(CLOCK_THREAD_CPUTIME_ID);

@@ -35,7 +35,10 @@ void chapter4_pictures(Report& report, const std::filesystem::path& pictures);
 /// Those of README.md and docs/*.md that no other section draws.
 void document_pictures(Report& report, const std::filesystem::path& pictures);
 /// data may be empty; large: up to ten million points.
-void speed(Report& report, const std::filesystem::path& data, bool large);
+void speed(Report& report, const std::filesystem::path& data, const std::filesystem::path& pictures,
+           bool large);
+/// Its part on sizes, stages, verbs and noise; the picture speed.png goes to `pictures`.
+void speed_by_size(Report& report, const std::filesystem::path& pictures, bool large);
 /// Bytes for several numbers of threads; labels of moved clouds.
 void determinism(Report& report);
 /// Files of the folder `data` (see docs/benchmarks.md); pictures go to `pictures`.

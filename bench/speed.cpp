@@ -1,16 +1,14 @@
 // Copyright 2026 The spigolo authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// bench/speed.cpp - cost per point by stage and by size, memory, nearest neighbors beside nanoflann
-#include <nanoflann.hpp>
-
+// bench/speed.cpp - seconds of both methods on one core and two, nearest neighbors beside nanoflann
 #include "common.h"
 #include "meter.h"
+#include "plain_search.h"
 #include "sample_mesh.h"
 #include "sections.h"
 #include "spigolo/index/neighborhoods.h"
 #include "spigolo/io/cloud_file.h"
-#include "stages.h"
 
 namespace spigolo::bench {
 namespace {
@@ -76,38 +74,11 @@ void detection_times(Report& report, const std::filesystem::path& data) {
     measure("fandisk, random samples", sample_mesh(read_mesh(data / "fandisk.off"), 41500, 1), 5);
   measure("hole, same proportions", hole(41500), 5);
   measure("hole, same proportions", hole(896000), 2);
-  for (const std::size_t copies : {1u, 10u, 100u})
+  for (const std::size_t copies : {1u, 10u})
     measure("hole of 10 000 points, " + std::to_string(copies) + " times", side_by_side(copies), 1);
   report.table({"cloud", "points", "method", "one core [s]", "two cores [s]", "speed-up",
                 "of it index [s]", "of it detect [s]", "1000 points/s, one core"},
                rows);
-}
-
-struct Adaptor {
-  const std::vector<Vec3>& points;
-  std::size_t kdtree_get_point_count() const { return points.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t axis) const { return points[i][axis]; }
-  template <class BoundingBox>
-  bool kdtree_get_bbox(BoundingBox&) const {
-    return false;
-  }
-};
-
-double nanoflann_seconds(const std::vector<Vec3>& points, std::size_t k) {
-  using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Adaptor>,
-                                                   Adaptor, 3>;
-  const Adaptor adaptor{points};
-  Tree tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(10));
-  tree.buildIndex();
-  std::vector<std::size_t> index(k + 1);
-  std::vector<double> squared(k + 1);
-  const double start = cpu_seconds();
-  for (const Vec3& p : points) {
-    nanoflann::KNNResultSet<double> result(k + 1);
-    result.init(index.data(), squared.data());
-    tree.findNeighbors(result, &p.x, nanoflann::SearchParams());
-  }
-  return cpu_seconds() - start;
 }
 
 void neighbor_times(Report& report) {
@@ -135,122 +106,13 @@ void neighbor_times(Report& report) {
   report.table({"k", "spigolo [M points/s]", "nanoflann [M points/s]", "ratio"}, rows);
 }
 
-std::vector<Vec3> random_samples(const std::string& shape, std::size_t points, double noise = 0) {
-  SynthOptions options;
-  options.shape = shape;
-  options.sampling = Sampling::random;
-  options.points = points;
-  options.noise = noise;
-  return make_cloud(options).cloud.points;
-}
-
-// Of the k nearest neighbors of all points, on one core, the tree apart.
-double search_seconds(std::span<const Vec3> points, std::size_t k) {
-  Job job;
-  job.threads = 1;
-  const OrderedCloud cloud = order_cloud(points, job);
-  const KdTree tree(cloud);
-  const double start = cpu_seconds();
-  find_neighborhoods(tree, k, job);
-  return cpu_seconds() - start;
-}
-
-void stage_table(Report& report) {
-  report.heading(3, "Detection by stage");
-  report.text(
-      "One core, no noise: CPU microseconds a point, and in brackets what that is of a plain "
-      "search "
-      "of the 16 nearest neighbors of all points in the same run. The first three stages are the "
-      "floor: no method that looks at neighbors can do without them.");
-  struct Cloud {
-    std::string name;
-    std::vector<Vec3> points;
-  };
-  const std::vector<Cloud> clouds = {{"box, random", random_samples("box", 1000000)},
-                                     {"hole, lattice", hole(896000)},
-                                     {"torus, random", random_samples("torus", 1000000)}};
-  std::vector<std::string> head = {"stage"};
-  std::vector<std::vector<std::string>> rows(stage_names.size() + 1);
-  for (std::size_t s = 0; s < stage_names.size(); ++s) rows[s].emplace_back(stage_names[s]);
-  rows.back().emplace_back("all");
-  Job job;
-  job.threads = 1;
-  for (const Cloud& cloud : clouds) {
-    const double search = search_seconds(cloud.points, 16), n = 1e-6 * double(cloud.points.size());
-    head.push_back(cloud.name + ", " + std::to_string(cloud.points.size()));
-    const auto entry = [&](double s) {
-      return number(s / n, 3) + " (" + number(s / search, 2) + ")";
-    };
-    double all = 0;
-    const auto seconds = stage_seconds(cloud.points, job);
-    for (std::size_t s = 0; s < seconds.size(); ++s) {
-      rows[s].push_back(entry(seconds[s]));
-      all += seconds[s];
-    }
-    rows.back().push_back(entry(all));
-  }
-  report.table(head, rows);
-}
-
-void size_table(Report& report, bool large) {
-  report.heading(3, "Detection by size");
-  report.text(
-      "Random samples of a box, detect() as a whole. Search: 16 nearest neighbors of all points, "
-      "one core; nanoflann the same in the same order. Alone: share of the CPU time of the run on "
-      "two threads in which only one was at work, as what one thread used more than the other. "
-      "Memory: resident at its highest, beyond the points and beyond what stood before.");
-  std::vector<std::vector<std::string>> rows;
-  for (const std::size_t n : {10000u, 100000u, 1000000u, 10000000u}) {
-    if (n > 1000000 && !large) continue;
-    const std::vector<Vec3> points = random_samples("box", n);
-    const double search = search_seconds(points, 16), count = static_cast<double>(n);
-    const double theirs = nanoflann_seconds(order_cloud(points).points, 16);
-    Job job;
-    job.threads = 1;
-    const Meter one;
-    detect(points, {}, job);
-    const double cpu = one.cpu();
-    const auto bytes = static_cast<double>(one.peak_bytes());
-    job.threads = 2;
-    const Meter two;
-    detect(points, {}, job);
-    rows.push_back({std::to_string(n), number(1e6 * cpu / count, 2), number(cpu / search, 2),
-                    number(theirs / search, 2), number(count / cpu / 1e6, 2), number(two.wall(), 2),
-                    number(two.cpu(), 2), number(100 * two.alone(2) / two.cpu()) + " %",
-                    n < 100000 ? "" : number(bytes / count)});
-  }
-  report.table({"points", "detect [us a point]", "of a search", "nanoflann, of a search",
-                "M points/s, one core", "two threads, wall [s]", "CPU [s]", "alone",
-                "memory [bytes a point]"},
-               rows);
-}
-
-void noisy_table(Report& report) {
-  report.heading(3, "Detection with noise");
-  report.text("Random samples of a box, 50 000 points, one core: CPU microseconds a point.");
-  std::vector<std::vector<std::string>> rows(1, {"us a point"});
-  std::vector<std::string> head = {"noise [spacings]"};
-  Job job;
-  job.threads = 1;
-  for (const double noise : {0.0, 0.06, 0.25, 0.5}) {
-    const std::vector<Vec3> points = random_samples("box", 50000, noise);
-    const double start = cpu_seconds();
-    detect(points, {}, job);
-    head.push_back(number(noise, 2));
-    rows[0].push_back(
-        number(1e6 * (cpu_seconds() - start) / static_cast<double>(points.size()), 1));
-  }
-  report.table(head, rows);
-}
-
 }  // namespace
 
-void speed(Report& report, const std::filesystem::path& data, bool large) {
+void speed(Report& report, const std::filesystem::path& data, const std::filesystem::path& pictures,
+           bool large) {
   report.heading(2, "Speed");
   detection_times(report, data);
-  stage_table(report);
-  size_table(report, large);
-  noisy_table(report);
+  speed_by_size(report, pictures, large);
   neighbor_times(report);
 }
 

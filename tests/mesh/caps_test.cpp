@@ -64,6 +64,13 @@ TEST(Caps, OnlyHolesThatAreNotTooWide) {
 }
 
 // A box whose top is missing gets it back flat: its walls do not bend.
+// The same hole is many edges wide or few, by how long the edges around it are.
+TEST(Caps, AHoleIsMeasuredByTheEdgesAroundIt) {
+  TriangleMesh mesh = ball_without_top(0.9);
+  EXPECT_EQ(close_smoothly(mesh, {step / 8, 0.5}).smooth, 1U);
+  EXPECT_TRUE(check_mesh(mesh).closed());
+}
+
 TEST(Caps, ABoxGetsAFlatLid) {
   constexpr std::uint32_t n = 8;
   TriangleMesh mesh;

@@ -29,6 +29,18 @@ TEST(Holes, AHoleIsClosedAndAWideOneOnRequest) {
   EXPECT_GT(check.volume, 0.9 * volume);
 }
 
+TEST(Holes, AFillingThatRunsIntoTheMeshGoes) {
+  TriangleMesh mesh = ball(16, 9);
+  std::erase_if(mesh.triangles, [](const Triangle& t) { return t[0] == 1; });
+  const auto base = static_cast<std::uint32_t>(mesh.vertices.size());  // a spike through the hole
+  for (const Vec3& p : {Vec3{0, 0, -2}, Vec3{0.1, 0, 0}, Vec3{-0.1, 0, 0}})
+    mesh.vertices.points.push_back(mesh.vertices.points[1].z < 0 ? p : -p);
+  mesh.triangles.push_back({base, base + 1, base + 2});
+  const std::vector<Triangle> before = mesh.triangles;
+  EXPECT_EQ(fill_holes(mesh.triangles, mesh.vertices.points, 1), 0U);
+  EXPECT_EQ(mesh.triangles, before);
+}
+
 TEST(Holes, TwoBallsAtOneVertexComeApart) {
   TriangleMesh mesh = ball(8, 5), other = ball(8, 5);
   const auto shift = static_cast<std::uint32_t>(mesh.vertices.size());

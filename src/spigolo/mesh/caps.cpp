@@ -31,9 +31,8 @@ class Closer {
   Closer(TriangleMesh& mesh, const CapOptions& options) : mesh_(mesh), options_(options) {
     const auto& p = mesh.vertices.points;
     for (const BorderLoop& loop : find_border_loops(mesh.triangles, p.size())) {
-      Box box;
-      for (const std::uint32_t v : loop) box.add(p[v]);
-      if (norm(box.size()) <= options.largest) loops_.push_back(loop);
+      if (width(loop) <= options.largest * std::max(1.0, mean_edge(loop) / options.step))
+        loops_.push_back(loop);
     }
     table_ = find_edges(p.size(), mesh.triangles);
     for (const MeshEdge& edge : table_.edges) {
@@ -68,6 +67,7 @@ class Closer {
 
   // Caps that run into the mesh or each other take the next simpler shape. False if none does.
   bool give_way(std::size_t first, std::vector<Cap>& caps, const Job& job) const {
+    if (owner_.empty()) return false;
     std::vector<char> bad(caps.size(), 0);
     for (const auto& pair : find_self_intersections(mesh_.vertices.points, mesh_.triangles, job))
       for (const std::uint32_t t : pair)
@@ -79,6 +79,20 @@ class Closer {
       any = true;
     }
     return any;
+  }
+
+  double width(const BorderLoop& loop) const {
+    Box box;
+    for (const std::uint32_t v : loop) box.add(mesh_.vertices.points[v]);
+    return norm(box.size());
+  }
+
+  double mean_edge(const BorderLoop& loop) const {
+    double length = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      length += distance(mesh_.vertices.points[loop[i]],
+                         mesh_.vertices.points[loop[(i + 1) % loop.size()]]);
+    return length / static_cast<double>(loop.size());
   }
 
   Surroundings look_around(const BorderLoop& loop) const {

@@ -13,8 +13,10 @@
 namespace spigolo {
 
 struct CapOptions {
-  double step = 1;     // [unit] edge length of the new triangles
-  double largest = 1;  // [unit] across; wider holes stay. Infinite: none does
+  double step = 1;  // [unit] edge length of the new triangles
+  double largest =
+      1;  // [unit] across, for holes with edges of a step; wider ones stay. Where edges
+          // along a hole are longer it may be wider as much. Infinite: none stays
 };
 
 struct CapReport {

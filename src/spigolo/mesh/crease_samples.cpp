@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "spigolo/mesh/weld.h"
+
 namespace spigolo {
 namespace {
 
@@ -86,6 +88,7 @@ MeshSamples sample_creases(const FeatureCurves& network, double step) {
   MeshSamples samples;
   samples.step = step;
   CreaseSampler(network, samples).run();
+  weld_creases(samples);
   samples.on_creases = samples.size();
   return samples;
 }

@@ -5,6 +5,7 @@
 // the boundary of a polyhedron, 1995)
 #include <algorithm>
 
+#include "spigolo/mesh/check.h"
 #include "spigolo/mesh/trim.h"
 
 namespace spigolo {
@@ -95,8 +96,11 @@ std::vector<Triangle> fill_loop(const std::vector<Vec3>& loop) {
   return triangles;
 }
 
+// Fillings that run into the mesh or into each other go again.
 std::size_t fill_holes(std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
                        double largest, const Job& job) {
+  const std::size_t first = triangles.size();
+  std::vector<std::size_t> owner;  // per new triangle its hole
   std::size_t filled = 0;
   for (const BorderLoop& loop : find_border_loops(triangles, points.size())) {
     job.check();
@@ -104,11 +108,20 @@ std::size_t fill_holes(std::vector<Triangle>& triangles, const std::vector<Vec3>
     std::vector<Vec3> places;
     for (const std::uint32_t v : loop) box.add(points[v]), places.push_back(points[v]);
     if (norm(box.size()) > largest) continue;
-    const std::vector<Triangle> filling = fill_loop(places);
-    for (const auto& [a, b, c] : filling) triangles.push_back({loop[a], loop[b], loop[c]});
-    filled += !filling.empty();
+    for (const auto& [a, b, c] : fill_loop(places))
+      triangles.push_back({loop[a], loop[b], loop[c]});
+    owner.resize(triangles.size() - first, filled++);
   }
-  return filled;
+  if (filled == 0) return 0;
+  std::vector<char> bad(filled, 0);
+  for (const auto& pair : find_self_intersections(points, triangles, job))
+    for (const std::uint32_t t : pair)
+      if (t >= first) bad[owner[t - first]] = 1;
+  std::size_t n = first;
+  for (std::size_t t = first; t < triangles.size(); ++t)
+    if (!bad[owner[t - first]]) triangles[n++] = triangles[t];
+  triangles.resize(n);
+  return static_cast<std::size_t>(std::count(bad.begin(), bad.end(), 0));
 }
 
 }  // namespace spigolo

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <string>
 #include <utility>
 
 #include "spigolo/core/error.h"
@@ -65,13 +67,17 @@ void refuse_rubble(const SurfacePoints& surface, const SharpMesh& result) {
   const auto share = [](std::size_t part, std::size_t whole) {
     return static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(whole, 1));
   };
+  const auto percent = [](double x) { return std::to_string(std::lround(100 * x)) + " %"; };
   const std::size_t left = result.mesh.triangles.size();
   const double faults = share(result.faults_taken, left + result.faults_taken),
                missed = share(result.uncovered, surface.points.size());
   if (left == 0 || faults + missed > largest_share_of_faults)
     throw NoResultError(
-        "the points do not hold together as a surface: a mesh of them would leave out much or run "
-        "into itself; is the cloud more than noise, is it dense enough?");
+        "the points do not hold together as a surface: a mesh of them would leave "
+        "out " +
+        percent(missed) + " of the points, and " + percent(faults) +
+        " of its triangles would run into each other; is the cloud more than "
+        "noise, and are there points on its faces, not on its edges only?");
 }
 
 // Vertices that no triangle names, at the end of creases that were not kept, stay: creases name

@@ -19,7 +19,8 @@ struct MesherOptions {
   double edge_length = 1;      // [spacings] aimed at; at least .3
   double chord_error = 0.006;  // [spacings] edges are shorter where they would leave a curved
                                // surface by more; 0: edges of one length everywhere
-  double largest_hole = 8;     // [edge lengths] across; wider openings are borders of the scan
+  double largest_hole = 8;     // [edge lengths, or edges along the hole if they are longer] across;
+                               // wider openings are borders of the scan
   bool close = false;          // fill all holes, however large
 };
 

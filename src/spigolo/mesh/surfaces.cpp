@@ -16,6 +16,7 @@
 #include "spigolo/mesh/leftovers.h"
 #include "spigolo/mesh/recut.h"
 #include "spigolo/mesh/relabel.h"
+#include "spigolo/mesh/settle.h"
 #include "spigolo/mesh/sides.h"
 #include "spigolo/mesh/trim.h"
 
@@ -34,17 +35,27 @@ double since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-Delaunay connect(const MeshSamples& samples, const Job& job) {
-  const Grid grid = make_grid(bounding_box(samples.position));
+struct Connected {
+  Delaunay delaunay;
+  Grid grid;
+
+  /// Where the tetrahedra have a sample, in units of the points.
+  Vec3 place(std::uint32_t sample) const {
+    return grid.origin + delaunay.point(sample + Delaunay::helpers) / grid.scale;
+  }
+};
+
+Connected connect(const MeshSamples& samples, const Job& job) {
+  Connected connected;
+  const Grid grid = connected.grid = make_grid(bounding_box(samples.position));
   const double jitter = std::max(least_jitter, jitter_steps * samples.step * grid.scale);
   std::vector<GridPoint> points(samples.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     points[i] = grid.place(samples.position[i], jitter, i);
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
-  Delaunay delaunay;
-  delaunay.insert(points, order, job);
-  return delaunay;
+  connected.delaunay.insert(points, order, job);
+  return connected;
 }
 
 // Segments that are no edges of the tetrahedra.
@@ -62,15 +73,15 @@ std::vector<std::size_t> missing_segments(const Delaunay& delaunay, const MeshSa
 }
 
 // Tetrahedra in which every crease segment is an edge, as far as halving helps.
-Delaunay connect_along_creases(MeshSamples& samples, const Job& job) {
-  Delaunay delaunay = connect(samples, job);
+Connected connect_along_creases(MeshSamples& samples, const Job& job) {
+  Connected connected = connect(samples, job);
   for (int round = 0; round < split_rounds; ++round) {
-    const auto missing = missing_segments(delaunay, samples);
+    const auto missing = missing_segments(connected.delaunay, samples);
     if (missing.empty()) break;
     split_creases(samples, missing);
-    delaunay = connect(samples, job);
+    connected = connect(samples, job);
   }
-  return delaunay;
+  return connected;
 }
 
 struct Part {
@@ -90,16 +101,19 @@ Part find_surface(MeshSamples samples, const SurfacePoints& surface, SharpMesh& 
                   const Job& job) {
   const auto start = Clock::now();
   Part part{std::move(samples), {}, {}};
-  const Delaunay delaunay = connect_along_creases(part.samples, job);
-  const double connected = since(start);
-  result.seconds_tetrahedra += connected;
+  const Connected connected = connect_along_creases(part.samples, job);
+  const Delaunay& delaunay = connected.delaunay;
+  const double until_connected = since(start);
+  result.seconds_tetrahedra += until_connected;
   part.sides = find_crease_sides(part.samples, surface, job);
   Labelling labels = label_tetrahedra(delaunay, part.samples, part.sides, job);
   recut_labels(delaunay, part.samples, part.sides, labels, job);
   refine_labels(delaunay, part.samples, part.sides, labels, job);
-  result.seconds_label += since(start) - connected;
+  result.seconds_label += since(start) - until_connected;
   part.triangles = boundary(delaunay, labels);
   trim_unsupported(part.triangles, part.samples, Openness(delaunay, part.samples, part.sides), {});
+  const auto safe = [&](std::uint32_t v) { return connected.place(v); };
+  settle(part.triangles, part.samples.position, safe, job);
   return part;
 }
 

@@ -54,12 +54,13 @@ std::size_t trim_unsupported(std::vector<Triangle>& triangles, const MeshSamples
     open[t] = far[t] || openness.tilt(triangles[t]) > steepest;
   }
   ParitySets groups = group(triangles, samples.size(), [&](std::size_t t) { return open[t] != 0; });
-  std::vector<Box> box(triangles.size());  // of a group, if it has a long triangle
+  std::vector<Box> box(triangles.size());  // of the long triangles of a group
   std::vector<char> bridged(triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     if (!open[t]) continue;
     const std::uint32_t set = groups.find(t).set;
-    bridged[set] |= far[t];
+    if (!far[t]) continue;
+    bridged[set] = 1;
     for (const std::uint32_t v : triangles[t]) box[set].add(samples.position[v]);
   }
   std::vector<char> kept(triangles.size());

@@ -15,9 +15,9 @@ namespace spigolo {
 
 /// The label of a closed body closes open scans as well, by triangles that run across empty space.
 /// Takes away those that are longer than three edges or steeper against their sheets than 55
-/// degrees, where they hang together over more than `largest_hole` [steps]; smaller groups are gaps
-/// in the samples and stay. Then scraps of fewer than `least_piece` triangles go. Returns how many
-/// were taken.
+/// degrees, where they hang together and the long ones span more than `largest_hole` [steps]; other
+/// groups are gaps in the samples and stay. Then scraps of fewer than `least_piece` triangles go.
+/// Returns how many were taken.
 struct TrimOptions {
   double largest_hole = 8;
   std::size_t least_piece = 8;
@@ -39,8 +39,9 @@ std::vector<BorderLoop> find_border_loops(const std::vector<Triangle>& triangles
 std::vector<Triangle> fill_loop(const std::vector<Vec3>& loop);
 
 /// Closes border loops not wider than `largest` (in units of the points, infinite: all) by the
-/// triangulation of least area, which adds no vertex. Loops that visit a vertex twice and those of
-/// more than 2000 edges stay. Returns how many were closed.
+/// triangulation of least area, which adds no vertex. Loops that visit a vertex twice, those of
+/// more than 2000 edges and those whose filling would run into the mesh stay. Returns how many were
+/// closed.
 std::size_t fill_holes(std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
                        double largest, const Job& job = {});
 

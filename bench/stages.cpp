@@ -14,6 +14,7 @@
 #include "spigolo/sheets/gaps.h"
 #include "spigolo/sheets/local_noise.h"
 #include "spigolo/sheets/meeting.h"
+#include "spigolo/sheets/placed.h"
 #include "spigolo/sheets/strength.h"
 #include "spigolo/sheets/tips.h"
 
@@ -45,9 +46,11 @@ std::array<double, stage_names.size()> stage_seconds(std::span<const Vec3> point
   is_quiet(looked, job);
   done();
   auto verdicts = judge_points(cloud.points, neighborhoods, sheets, tolerances, {}, job);
+  const bool placed = is_placed(looked, verdicts, job);
+  if (placed) judge_placed(looked, tolerances, {}, verdicts, job);
   clean_verdicts(cloud.points, neighborhoods, spacing, tolerances, verdicts, job);
   done();
-  fill_gaps(cloud.points, neighborhoods, spacing, verdicts, job);
+  fill_gaps(cloud.points, neighborhoods, spacing, placed, verdicts, job);
   done();
   find_tips(looked, tolerances, verdicts, job);
   count_meeting_sheets(looked, verdicts, job);

@@ -15,6 +15,7 @@ namespace spigolo {
 namespace {
 
 constexpr double half = 0.55;       // [spacings] so close a crease passes the point
+constexpr double placed = 0.1;      // [spacings] where samples were put on the edges
 constexpr double longest = 4;       // [spacings] between the two
 constexpr double aligned = 0.94;    // cosine, of a crease with the line between them
 constexpr double alike = 0.35;      // [rad] the two angles from flat may differ
@@ -23,7 +24,7 @@ constexpr std::size_t asked = 20;   // neighbors
 constexpr std::size_t grain = 4096;
 
 std::optional<SheetVerdict> between(const SheetVerdict& a, const SheetVerdict& b, const Vec3& p,
-                                    double spacing) {
+                                    double spacing, double reach) {
   const Vec3 line = b.crease_point - a.crease_point;
   const double length = norm(line);
   if (!(length > 0.5 * spacing) || length > longest * spacing) return std::nullopt;
@@ -34,7 +35,7 @@ std::optional<SheetVerdict> between(const SheetVerdict& a, const SheetVerdict& b
   const double t = dot(p - a.crease_point, along) / length;
   if (t <= 0 || t >= 1) return std::nullopt;
   const Vec3 foot = a.crease_point + line * t;
-  if (distance(foot, p) > half * spacing) return std::nullopt;
+  if (distance(foot, p) > reach * spacing) return std::nullopt;
   SheetVerdict filled = t < 0.5 ? a : b;
   filled.crease_point = foot;
   filled.direction = along;
@@ -46,11 +47,12 @@ std::optional<SheetVerdict> between(const SheetVerdict& a, const SheetVerdict& b
 // The closest crease between two of these edges that passes p, unless another edge is closer to it.
 std::optional<SheetVerdict> filled_between(std::span<const Vec3> points, const Vec3& p,
                                            std::span<const std::uint32_t> edges,
-                                           std::span<const SheetVerdict> verdicts, double spacing) {
+                                           std::span<const SheetVerdict> verdicts, double spacing,
+                                           double reach) {
   std::optional<SheetVerdict> best;
   for (std::size_t a = 0; a < edges.size(); ++a) {
     for (std::size_t b = a + 1; b < edges.size(); ++b) {
-      const auto found = between(verdicts[edges[a]], verdicts[edges[b]], p, spacing);
+      const auto found = between(verdicts[edges[a]], verdicts[edges[b]], p, spacing, reach);
       if (!found) continue;
       const double away = distance(found->crease_point, p);
       const bool taken = std::any_of(edges.begin(), edges.end(), [&](std::uint32_t j) {
@@ -65,7 +67,9 @@ std::optional<SheetVerdict> filled_between(std::span<const Vec3> points, const V
 }  // namespace
 
 void fill_gaps(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-               const Spacing& spacing, std::vector<SheetVerdict>& verdicts, const Job& job) {
+               const Spacing& spacing, bool on_edges, std::vector<SheetVerdict>& verdicts,
+               const Job& job) {
+  const double reach = on_edges ? placed : half;
   using Filled = std::pair<std::uint32_t, SheetVerdict>;
   // Looked up twenty times a point: apart from the verdicts they stay in the cache.
   std::vector<PointKind> kind(points.size());
@@ -81,7 +85,8 @@ void fill_gaps(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
       for (const std::uint32_t j : row.first(std::min(asked, row.size())))
         if (kind[j] == PointKind::edge) edges.push_back(j);
       if (edges.size() < 2) continue;
-      const auto best = filled_between(points, points[i], edges, verdicts, spacing.of_point[i]);
+      const auto best =
+          filled_between(points, points[i], edges, verdicts, spacing.of_point[i], reach);
       if (best) filled.emplace_back(static_cast<std::uint32_t>(i), *best);
     }
   };

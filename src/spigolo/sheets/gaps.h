@@ -16,9 +16,11 @@ namespace spigolo {
 
 /// A point of smooth surface becomes an edge if two of its neighbors lie on one crease, before and
 /// behind it, with directions along the line between them, that line passes within half a spacing
-/// of the point, and no edge point is nearer to that place. (The thesis's adaptation only removes.)
+/// of the point, and no edge point is nearer to that place. on_edges: where samples
+/// were put on the edges it must pass within a tenth. (The thesis's adaptation only removes.)
 /// All from one snapshot.
 void fill_gaps(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-               const Spacing& spacing, std::vector<SheetVerdict>& verdicts, const Job& job = {});
+               const Spacing& spacing, bool on_edges, std::vector<SheetVerdict>& verdicts,
+               const Job& job = {});
 
 }  // namespace spigolo

@@ -16,6 +16,7 @@
 #include "spigolo/sheets/joints.h"
 #include "spigolo/sheets/local_noise.h"
 #include "spigolo/sheets/meeting.h"
+#include "spigolo/sheets/placed.h"
 #include "spigolo/sheets/refine.h"
 #include "spigolo/sheets/strength.h"
 #include "spigolo/sheets/tips.h"
@@ -67,8 +68,11 @@ void judge_all(SheetModel& model, const SheetOptions& options, const Job& job) {
     drop_short_chains(points, p.neighborhoods, p.spacing, noise, model.verdicts, job);
     join_creases(points, p.neighborhoods, p.spacing, model.verdicts, job);
   }
+  const SheetCloud cloud{points, p.neighborhoods, p.spacing, model.own};
+  const bool placed = exact && is_placed(cloud, model.verdicts, job);
+  if (placed) judge_placed(cloud, model.tolerances, options, model.verdicts, job);
   clean_verdicts(points, p.neighborhoods, p.spacing, model.tolerances, model.verdicts, job);
-  if (exact) fill_gaps(points, p.neighborhoods, p.spacing, model.verdicts, job);
+  if (exact) fill_gaps(points, p.neighborhoods, p.spacing, placed, model.verdicts, job);
 }
 
 void find_sheets(SheetModel& model, double noise, const Job& job) {

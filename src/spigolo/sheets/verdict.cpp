@@ -185,6 +185,14 @@ SheetVerdict judge_point(std::span<const Vec3> points, std::span<const Sheet> sh
   return verdict;
 }
 
+bool ends_at(std::span<const Vec3> points, std::span<const Sheet> sheets,
+             std::span<const std::uint32_t> members, const SheetTolerances& tolerances,
+             const SheetOptions& options) {
+  const SheetCover cover = cover_neighborhood(points, sheets, members, tolerances);
+  const double least = least_deviation(options.sensitivity);
+  return cover.count > 0 && find_rim(points, sheets, members, cover, least).has_value();
+}
+
 std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
                                        const Neighborhoods& neighborhoods,
                                        std::span<const Sheet> sheets,

@@ -45,6 +45,12 @@ SheetVerdict judge_point(std::span<const Vec3> points, std::span<const Sheet> sh
                          std::span<const std::uint32_t> members, const SheetTolerances& tolerances,
                          const SheetOptions& options);
 
+/// Whether the own sheet of members[0] ends at this very point, though the surface goes on: see
+/// find_rim. Without noise.
+bool ends_at(std::span<const Vec3> points, std::span<const Sheet> sheets,
+             std::span<const std::uint32_t> members, const SheetTolerances& tolerances,
+             const SheetOptions& options);
+
 /// All points, from their own sheets. neighborhoods need max(20, sheet_tolerances(noise).k)
 /// neighbors a row. With noise these are proposals.
 std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,

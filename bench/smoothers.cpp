@@ -6,7 +6,9 @@
 
 #include <fstream>
 
+#include "projection.h"
 #include "report.h"
+#include "spigolo/detect/detect.h"
 #include "spigolo/io/cloud_file.h"
 
 namespace spigolo::bench {
@@ -40,14 +42,28 @@ std::vector<Vec3> with_queries(const SmoothTask& task) {
   return all;
 }
 
+/// More places than the points go through the library: the program moves the points only.
+std::vector<Vec3> project_queries(const std::string& method, const SmoothTask& task) {
+  const MlsCloud cloud(task.points);
+  const std::vector<PointKind> kind = detect(task.points).features.kind;
+  const Projection project = projection_method(method).make(cloud, kind, {});
+  std::vector<Vec3> result;
+  for (const Vec3& query : task.queries) {
+    const SurfacePoint on = project(query);
+    result.push_back(on_surface(on.status) ? on.position : Vec3{infinity, infinity, infinity});
+  }
+  return result;
+}
+
 SmoothVariant ours(const std::string& method) {
-  return {method, [method](const RivalPlaces& places, const SmoothTask&) {
+  return {method, [method](const RivalPlaces& places, const SmoothTask& task) {
             const fs::path out = places.file("smooth.ply");
             fs::remove(out);
             std::optional<Projected> result;
             if (run_rival(places, {places.spigolo, "smooth", places.file("cloud.xyz").string(),
                                    "-o", out.string(), "--method", method, "--quiet"}))
-              if (auto rows = read_ply(out)) result = Projected{*rows, {}};
+              if (auto rows = read_ply(out))
+                result = Projected{*rows, project_queries(method, task)};
             return result;
           }};
 }

@@ -218,13 +218,17 @@ TEST(Trace, pointsLearnTheirCurve) {
   EXPECT_GT(static_cast<double>(named), 0.98 * static_cast<double>(features));
 }
 
-// A straight edge whose samples leave out `gap` spacings in the middle.
-FeatureCurves edge_with_gap(double gap) {
+// A straight edge whose samples leave out `gap` spacings in the middle; with or without a sheet
+// that goes on beside it.
+FeatureCurves edge_with_gap(double gap, bool sheet = true) {
+  constexpr std::size_t marks = 40;
   std::vector<Vec3> points;
   for (int i = 0; i < 40; ++i) points.push_back({i < 20 ? i : i - 1 + gap, 0, 0});
+  for (double x = 0.5; x < 38 + gap && sheet; ++x)
+    for (const double y : {-1.0, 1.0}) points.push_back({x, y, 0});
   Features features;
   features.assign_surface(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < marks; ++i) {
     features.kind[i] = PointKind::edge;
     features.angle[i] = features.strength[i] = 1;
     features.crease_point[i] = points[i];
@@ -244,6 +248,7 @@ TEST(Trace, wideGapsAreBridgedAndMarked) {
   EXPECT_NEAR(wide.curves[0].length(), 46, 1e-6);
   EXPECT_LT(wide.curves[0].confidence, 0.95);
   EXPECT_EQ(far.curves.size(), 2u);
+  EXPECT_EQ(edge_with_gap(8, false).curves.size(), 2u);  // there may be nothing
 }
 
 // Labels that never came from a detector: many short straight edges far apart.

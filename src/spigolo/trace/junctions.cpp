@@ -162,7 +162,7 @@ RawNetwork join_chains(std::vector<Chain> chains, std::span<const Vec3> hints, d
   std::vector<Vec3> junctions = find_junctions(ends, hints, scatter, false);
   RawNetwork network =
       cut_chains(std::move(chains), std::move(ends), std::move(junctions), scatter);
-  return prune(std::move(network), 4 + 6 * scatter);
+  return prune(std::move(network), least_curve(scatter));
 }
 
 }  // namespace spigolo

@@ -43,6 +43,7 @@ RawNetwork cut_chains(std::vector<Chain> chains, std::vector<ChainEnd> ends,
 /// Leaves out spurs - short curves that end freely -, joins what they had cut, and numbers the
 /// junctions that are left. least: [spacings] curves with two free ends are longer.
 RawNetwork prune(RawNetwork network, double least);
+inline double least_curve(double scatter) { return 4 + 6 * scatter; }
 
 /// All of it: from chains to a network.
 RawNetwork join_chains(std::vector<Chain> chains, std::span<const Vec3> hints, double scatter);

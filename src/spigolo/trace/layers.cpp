@@ -12,6 +12,7 @@
 #include "spigolo/trace/extend.h"
 #include "spigolo/trace/go_on.h"
 #include "spigolo/trace/junctions.h"
+#include "spigolo/trace/open_air.h"
 #include "spigolo/trace/place_grid.h"
 #include "spigolo/trace/rims.h"
 
@@ -207,6 +208,7 @@ void trace_edges(Layer layer, const Survey& survey, std::span<const Vec3> hints,
   recognize_all(drafts, layer, job);
   raw = join_chains(reach_out(drafts, raw.junctions, layer.scatter),
                     joined(hints, junctions_in_use(drafts, raw.junctions)), layer.scatter);
+  cut_open_air(raw, survey, layer.scatter);
   drafts = drafts_of(raw);
   follow_samples(drafts, layer, job);
   recognize_all(drafts, layer, job);
@@ -217,7 +219,9 @@ void trace_edges(Layer layer, const Survey& survey, std::span<const Vec3> hints,
 void trace_rims(Layer layer, std::span<const CreaseSample> marks, const Survey& survey,
                 const Job& job, FeatureCurves& network) {
   layer.samples = left_over(marks, network);
-  add_to(network, {}, finish_all(find_rims(layer.samples, survey, job), {}, layer, job));
+  std::vector<CurveDraft> rims = find_rims(layer.samples, survey, job);
+  cut_open_air(rims, survey, layer.samples, layer.tolerances.window);
+  add_to(network, {}, finish_all(rims, {}, layer, job));
 }
 
 void trace_borders(const Layer& layer, const Job& job, FeatureCurves& network) {

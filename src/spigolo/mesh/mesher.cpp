@@ -15,6 +15,7 @@
 #include "spigolo/mesh/caps.h"
 #include "spigolo/mesh/flips.h"
 #include "spigolo/mesh/leftovers.h"
+#include "spigolo/mesh/recover.h"
 #include "spigolo/mesh/separate.h"
 #include "spigolo/mesh/surfaces.h"
 #include "spigolo/mesh/trim.h"
@@ -41,6 +42,7 @@ void finish(double step, const MesherOptions& options, SharpMesh& result, const 
       close_smoothly(mesh, {step, options.close ? infinity : options.largest_hole * step}, job);
   result.holes_filled += caps.smooth + caps.taut;
   result.caps_smooth = caps.smooth, result.caps_taut = caps.taut, result.holes_left = caps.left;
+  recover_creases(mesh.triangles, mesh.vertices.points, result.creases, job);
   const FlipReport flips = flip_edges(mesh.triangles, mesh.vertices.points, result.creases, job);
   separate(mesh, result.creases);
   result.check = check_connections(mesh, result.creases, job);

@@ -36,23 +36,24 @@ SheetVerdict edge(const Vec3& at, const Vec3& direction) {
   return verdict;
 }
 
-std::size_t marks(const std::vector<SheetVerdict>& verdicts, PointKind kind) {
-  return static_cast<std::size_t>(std::count_if(
-      verdicts.begin(), verdicts.end(), [&](const SheetVerdict& v) { return v.kind == kind; }));
+std::size_t marks(const VerdictRows& verdicts, PointKind kind) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) n += verdicts[i].kind == kind;
+  return n;
 }
 
 TEST(Chains, NoiseLeavesRowsAndDropsClumps) {
   const PreparedCloud p = lattice();
-  std::vector<SheetVerdict> verdicts(p.cloud.size());
+  VerdictRows verdicts(p.cloud.size());
   for (int x = 0; x < 6; ++x) {
     const std::uint32_t i = point_at(p, x, 3);
-    verdicts[i] = edge(p.cloud.points[i], {1, 0, 0});
+    verdicts.set(i, edge(p.cloud.points[i], {1, 0, 0}));
   }
   for (const auto& [x, y] : {std::pair{11, 11}, {12, 11}, {11, 12}, {12, 12}}) {
     const std::uint32_t i = point_at(p, x, y);
-    verdicts[i] = edge(p.cloud.points[i], {1, 0, 0});
+    verdicts.set(i, edge(p.cloud.points[i], {1, 0, 0}));
   }
-  std::vector<SheetVerdict> quiet = verdicts;
+  VerdictRows quiet = verdicts;
   drop_short_chains(p.cloud.points, p.neighborhoods, p.spacing, 0.05, quiet);
   EXPECT_EQ(marks(quiet, PointKind::edge), 10u);
   drop_short_chains(p.cloud.points, p.neighborhoods, p.spacing, 0.3, verdicts);
@@ -61,13 +62,13 @@ TEST(Chains, NoiseLeavesRowsAndDropsClumps) {
 }
 
 // Three rows of marks that run from (8, 8); the creases meet in a point 0.3 above it.
-std::vector<SheetVerdict> star(const PreparedCloud& p, const std::array<Vec3, 3>& directions) {
-  std::vector<SheetVerdict> verdicts(p.cloud.size());
+VerdictRows star(const PreparedCloud& p, const std::array<Vec3, 3>& directions) {
+  VerdictRows verdicts(p.cloud.size());
   const Vec3 meet = p.cloud.points[point_at(p, 8, 8)] + Vec3{0, 0, 0.3};
   for (int t = 1; t < 4; ++t) {
-    verdicts[point_at(p, 8 + t, 8)] = edge(meet + directions[0] * t, directions[0]);
-    verdicts[point_at(p, 8, 8 + t)] = edge(meet + directions[1] * t, directions[1]);
-    verdicts[point_at(p, 8 - t, 8 - t + 1)] = edge(meet + directions[2] * t, directions[2]);
+    verdicts.set(point_at(p, 8 + t, 8), edge(meet + directions[0] * t, directions[0]));
+    verdicts.set(point_at(p, 8, 8 + t), edge(meet + directions[1] * t, directions[1]));
+    verdicts.set(point_at(p, 8 - t, 8 - t + 1), edge(meet + directions[2] * t, directions[2]));
   }
   return verdicts;
 }

@@ -21,7 +21,8 @@ struct Place {
     label.crease_point = {0.2, 0, 0.1};
     label.direction = {0, 1, 0};
     label.into = {Vec3{-1, 0, 0}, Vec3{0, 0, -1}};
-    model.verdicts = {label};
+    model.verdicts = VerdictRows(1);
+    model.verdicts.set(0, label);
     region.found = {{0.0, 0}};
     region.sheets = sheets_of_labels(model, region);
   }
@@ -50,10 +51,10 @@ TEST(LabelHints, OnlyGivenLabelsPinAndTheSurerTheMore) {
 TEST(LabelHints, ALabelFarFromEveryCrossingPinsNothing) {
   Place place(1);
   place.model.labels_given = true;
-  place.model.verdicts[0].crease_point = {2, 0, 2};
+  place.model.verdicts.edit(0).crease_point = {2, 0, 2};
   EXPECT_TRUE(pin_creases(place.model, place.region, 0.7).empty());
-  place.model.verdicts[0].crease_point = {0, 0, 0};
-  place.model.verdicts[0].direction = {1, 0, 0};  // runs another way
+  place.model.verdicts.edit(0).crease_point = {0, 0, 0};
+  place.model.verdicts.edit(0).direction = {1, 0, 0};  // runs another way
   EXPECT_TRUE(pin_creases(place.model, place.region, 0.7).empty());
 }
 

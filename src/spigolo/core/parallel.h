@@ -31,10 +31,10 @@ int thread_count(const Job& job);
 /// order of the ranges, so the same for any number of threads.
 template <class Item, class Body>
 std::vector<Item> parallel_collect(const Job& job, std::size_t count, std::size_t grain,
-                                   const Body& body) {
+                                   const Body& body, std::string_view stage = "") {
   grain = std::max<std::size_t>(grain, 1);
   std::vector<std::vector<Item>> found((count + grain - 1) / grain);
-  parallel_for(job, "", count, grain,
+  parallel_for(job, stage, count, grain,
                [&](std::size_t begin, std::size_t end) { body(begin, end, found[begin / grain]); });
   std::size_t total = 0;
   for (const std::vector<Item>& part : found) total += part.size();

@@ -24,7 +24,7 @@ void set_row(Features& features, std::size_t row, const SheetVerdict& verdict) {
 }
 
 // Few places are marked: the others need no row.
-PlaceFeatures marked_places(const std::vector<SheetVerdict>& verdicts, const Job& job) {
+PlaceFeatures marked_places(const VerdictRows& verdicts, const Job& job) {
   const auto marked = parallel_select(job, verdicts.size(), grain, [&](std::size_t i) {
     return verdicts[i].kind != PointKind::surface;
   });
@@ -41,7 +41,7 @@ PlaceFeatures marked_places(const std::vector<SheetVerdict>& verdicts, const Job
 }  // namespace
 
 Features features_of_model(const SheetModel& model) {
-  const std::vector<SheetVerdict>& verdicts = model.verdicts;
+  const VerdictRows& verdicts = model.verdicts;
   Features features;
   features.assign_surface(verdicts.size());
   for (std::size_t i = 0; i < verdicts.size(); ++i)

@@ -125,13 +125,15 @@ void give_labels(const Features& features, SheetModel& model) {
   model.labels_given = true;
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (cloud.rank[i] == no_point) continue;
-    SheetVerdict& verdict = model.verdicts[cloud.rank[i]];
+    SheetVerdict verdict = model.verdicts[cloud.rank[i]];
     verdict.kind = features.kind[i];
     verdict.strength = static_cast<double>(features.strength[i]);
     verdict.direction = {};  // not known: pins nothing
-    if (features.kind[i] != PointKind::edge || !is_finite(features.crease_point[i])) continue;
-    verdict.crease_point = features.crease_point[i] - cloud.origin;
-    verdict.direction = features.direction[i];
+    if (features.kind[i] == PointKind::edge && is_finite(features.crease_point[i])) {
+      verdict.crease_point = features.crease_point[i] - cloud.origin;
+      verdict.direction = features.direction[i];
+    }
+    model.verdicts.set(cloud.rank[i], verdict);
   }
 }
 

@@ -77,8 +77,7 @@ SheetVerdict mean_of(std::span<const Vote> votes) {
 }
 
 SheetVerdict ask(std::span<const Vec3> points, std::span<const std::uint32_t> neighbors,
-                 std::span<const SheetVerdict> proposals, std::uint32_t i, double spacing,
-                 double noise) {
+                 const VerdictRows& proposals, std::uint32_t i, double spacing, double noise) {
   const SheetVerdict& own = proposals[i];
   if (own.kind == PointKind::corner || own.kind == PointKind::border) return own;
   std::array<Vote, asked + 1> heard;
@@ -106,18 +105,19 @@ SheetVerdict ask(std::span<const Vec3> points, std::span<const std::uint32_t> ne
 
 }  // namespace
 
-std::vector<SheetVerdict> agree_on_creases(std::span<const Vec3> points,
-                                           const Neighborhoods& neighborhoods,
-                                           const Spacing& spacing,
-                                           std::span<const SheetVerdict> proposals, double noise,
-                                           const Job& job) {
-  std::vector<SheetVerdict> agreed(points.size());
-  parallel_for(job, "", points.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      agreed[i] = ask(points, neighborhoods.of(i), proposals, static_cast<std::uint32_t>(i),
-                      spacing.of_point[i], noise);
-  });
-  return agreed;
+VerdictRows agree_on_creases(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
+                             const Spacing& spacing, const VerdictRows& proposals, double noise,
+                             const Job& job) {
+  return {points.size(),
+          parallel_collect<FoundVerdict>(
+              job, points.size(), grain, [&](std::size_t begin, std::size_t end, auto& agreed) {
+                for (std::size_t i = begin; i < end; ++i) {
+                  const auto place = static_cast<std::uint32_t>(i);
+                  const SheetVerdict verdict = ask(points, neighborhoods.of(i), proposals, place,
+                                                   spacing.of_point[i], noise);
+                  if (!verdict.says_nothing()) agreed.emplace_back(place, verdict);
+                }
+              })};
 }
 
 }  // namespace spigolo

@@ -19,10 +19,8 @@ namespace spigolo {
 /// mean passes the place it was sampled at (passing_probability, with `noise` [spacings]): chance
 /// hits go, gaps close, the position becomes as certain as several fits. Corners and borders stay.
 /// All from one snapshot.
-std::vector<SheetVerdict> agree_on_creases(std::span<const Vec3> points,
-                                           const Neighborhoods& neighborhoods,
-                                           const Spacing& spacing,
-                                           std::span<const SheetVerdict> proposals, double noise,
-                                           const Job& job = {});
+VerdictRows agree_on_creases(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
+                             const Spacing& spacing, const VerdictRows& proposals, double noise,
+                             const Job& job = {});
 
 }  // namespace spigolo

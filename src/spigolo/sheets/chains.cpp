@@ -21,8 +21,8 @@ bool sharp(const SheetVerdict& v) {
   return v.kind == PointKind::edge || v.kind == PointKind::corner;
 }
 
-bool connected(std::span<const Vec3> points, std::span<const SheetVerdict> verdicts,
-               std::uint32_t i, std::uint32_t j, double spacing) {
+bool connected(std::span<const Vec3> points, const VerdictRows& verdicts, std::uint32_t i,
+               std::uint32_t j, double spacing) {
   const double away = distance(points[i], points[j]);
   if (away <= link * spacing) return true;
   const SheetVerdict &a = verdicts[i], &b = verdicts[j];
@@ -34,7 +34,7 @@ bool connected(std::span<const Vec3> points, std::span<const SheetVerdict> verdi
 // The marked points that are connected to the first one, as they are reached; at most surely_long.
 std::vector<std::uint32_t> chain_from(std::uint32_t first, std::span<const Vec3> points,
                                       const Neighborhoods& neighborhoods, const Spacing& spacing,
-                                      std::span<const SheetVerdict> verdicts,
+                                      const VerdictRows& verdicts,
                                       std::vector<std::uint32_t>& reached_from) {
   std::vector<std::uint32_t> chain(1, first);
   reached_from[first] = first;
@@ -63,7 +63,7 @@ bool is_long(std::span<const std::uint32_t> chain, std::span<const Vec3> points,
 }  // namespace
 
 void drop_short_chains(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-                       const Spacing& spacing, double noise, std::vector<SheetVerdict>& verdicts,
+                       const Spacing& spacing, double noise, VerdictRows& verdicts,
                        const Job& job) {
   if (noise < quiet) return;
   job.check();
@@ -73,7 +73,7 @@ void drop_short_chains(std::span<const Vec3> points, const Neighborhoods& neighb
     const auto chain = chain_from(i, points, neighborhoods, spacing, verdicts, reached_from);
     if (!is_long(chain, points, spacing.of_point[i])) dropped.push_back(i);
   }
-  for (const std::uint32_t i : dropped) verdicts[i] = {};
+  for (const std::uint32_t i : dropped) verdicts.set(i, {});
 }
 
 }  // namespace spigolo

@@ -19,7 +19,7 @@ namespace spigolo {
 /// points are connected from one to the next among their neighbors, over 2.5 spacings, or 5 along a
 /// crease that both name. All from one snapshot.
 void drop_short_chains(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-                       const Spacing& spacing, double noise, std::vector<SheetVerdict>& verdicts,
+                       const Spacing& spacing, double noise, VerdictRows& verdicts,
                        const Job& job = {});
 
 }  // namespace spigolo

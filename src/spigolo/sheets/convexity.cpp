@@ -74,7 +74,7 @@ std::array<SideVote, 2> ask_sides(const SheetCloud& cloud, std::span<const Vec3>
 
 // Joins what lies on the two sides of each crease, the pairs that most edges agree on first.
 void join_over_creases(const SheetCloud& cloud, std::span<const Vec3> normal,
-                       std::span<const SheetVerdict> verdicts, std::span<const std::uint32_t> edges,
+                       const VerdictRows& verdicts, std::span<const std::uint32_t> edges,
                        ParitySets& sets) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::array<int, 2>> votes;
   for (const std::uint32_t i : edges) {
@@ -142,7 +142,7 @@ Pieces measure_pieces(const SheetCloud& cloud, std::span<const Vec3> normal,
 }
 
 // Corners take what all edges beside them agree on.
-void settle_corners(const SheetCloud& cloud, std::vector<SheetVerdict>& verdicts, const Job& job) {
+void settle_corners(const SheetCloud& cloud, VerdictRows& verdicts, const Job& job) {
   const auto corners = parallel_select(job, cloud.size(), grain, [&](std::size_t i) {
     return verdicts[i].kind == PointKind::corner;
   });
@@ -154,14 +154,14 @@ void settle_corners(const SheetCloud& cloud, std::vector<SheetVerdict>& verdicts
       concave += verdicts[j].convex < 0;
     }
     if (convex == 0 || concave == 0)
-      verdicts[i].convex = static_cast<std::int8_t>((convex > 0) - (concave > 0));
+      verdicts.edit(i).convex = static_cast<std::int8_t>((convex > 0) - (concave > 0));
   }
 }
 
 }  // namespace
 
 void note_convexity(const SheetCloud& cloud, const SheetTolerances& tolerances,
-                    std::vector<SheetVerdict>& verdicts, const Job& job) {
+                    VerdictRows& verdicts, const Job& job) {
   const auto edges = parallel_select(job, cloud.size(), grain,
                                      [&](std::size_t i) { return has_sides(verdicts[i]); });
   if (edges.empty()) return;
@@ -172,7 +172,7 @@ void note_convexity(const SheetCloud& cloud, const SheetTolerances& tolerances,
   sets.flatten();
   const Pieces pieces = measure_pieces(cloud, normal, sets, job);
   for (const std::uint32_t i : edges) {
-    SheetVerdict& edge = verdicts[i];
+    SheetVerdict& edge = verdicts.edit(i);
     const auto sides = ask_sides(cloud, normal, edge, i, sets);
     const SideVote& known = sides[0].set != no_point ? sides[0] : sides[1];
     if (known.set == no_point) continue;

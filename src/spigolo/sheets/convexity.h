@@ -19,6 +19,6 @@ namespace spigolo {
 /// tells which side is outside. Pieces that do not close have no outside: 0. A corner is convex or
 /// concave if all edges around it are.
 void note_convexity(const SheetCloud& cloud, const SheetTolerances& tolerances,
-                    std::vector<SheetVerdict>& verdicts, const Job& job = {});
+                    VerdictRows& verdicts, const Job& job = {});
 
 }  // namespace spigolo

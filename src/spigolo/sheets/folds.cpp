@@ -89,16 +89,16 @@ void propose_folds(SheetModel& model, const SheetOptions& options, const Job& jo
     for (std::size_t n = 0; center % one_in != 0 && n < row.size(); ++n) center = row[n];
     if (center % one_in != 0) continue;
     const Hinge& hinge = hinges[center / one_in];
-    SheetVerdict& verdict = model.verdicts[i];
     if (hinge.fold == Fold::bend) {
-      verdict = {};
-      verdict.folded = -1;
+      SheetVerdict bent;
+      bent.folded = -1;
+      model.verdicts.set(i, bent);
     }
     if (hinge.fold != Fold::edge || hinge.deviation < least_deviation(options.sensitivity))
       continue;
     const Vec3 to = model.points()[i] - hinge.point;
     const double away = norm(to - hinge.direction * dot(to, hinge.direction));
-    if (away < reach * model.prepared.spacing.of_point[i]) verdict = proposal(hinge);
+    if (away < reach * model.prepared.spacing.of_point[i]) model.verdicts.set(i, proposal(hinge));
   }
 }
 

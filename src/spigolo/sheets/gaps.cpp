@@ -47,7 +47,7 @@ std::optional<SheetVerdict> between(const SheetVerdict& a, const SheetVerdict& b
 // The closest crease between two of these edges that passes p, unless another edge is closer to it.
 std::optional<SheetVerdict> filled_between(std::span<const Vec3> points, const Vec3& p,
                                            std::span<const std::uint32_t> edges,
-                                           std::span<const SheetVerdict> verdicts, double spacing,
+                                           const VerdictRows& verdicts, double spacing,
                                            double reach) {
   std::optional<SheetVerdict> best;
   for (std::size_t a = 0; a < edges.size(); ++a) {
@@ -67,16 +67,14 @@ std::optional<SheetVerdict> filled_between(std::span<const Vec3> points, const V
 }  // namespace
 
 void fill_gaps(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-               const Spacing& spacing, bool on_edges, std::vector<SheetVerdict>& verdicts,
-               const Job& job) {
+               const Spacing& spacing, bool on_edges, VerdictRows& verdicts, const Job& job) {
   const double reach = on_edges ? placed : half;
-  using Filled = std::pair<std::uint32_t, SheetVerdict>;
   // Looked up twenty times a point: apart from the verdicts they stay in the cache.
   std::vector<PointKind> kind(points.size());
   parallel_for(job, "", points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) kind[i] = verdicts[i].kind;
   });
-  const auto look = [&](std::size_t begin, std::size_t end, std::vector<Filled>& filled) {
+  const auto look = [&](std::size_t begin, std::size_t end, std::vector<FoundVerdict>& filled) {
     std::vector<std::uint32_t> edges;
     for (std::size_t i = begin; i < end; ++i) {
       if (kind[i] != PointKind::surface) continue;
@@ -90,8 +88,7 @@ void fill_gaps(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
       if (best) filled.emplace_back(static_cast<std::uint32_t>(i), *best);
     }
   };
-  for (const auto& [i, verdict] : parallel_collect<Filled>(job, points.size(), grain, look))
-    verdicts[i] = verdict;
+  verdicts.set(parallel_collect<FoundVerdict>(job, points.size(), grain, look));
 }
 
 }  // namespace spigolo

@@ -20,7 +20,6 @@ namespace spigolo {
 /// were put on the edges it must pass within a tenth. (The thesis's adaptation only removes.)
 /// All from one snapshot.
 void fill_gaps(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-               const Spacing& spacing, bool on_edges, std::vector<SheetVerdict>& verdicts,
-               const Job& job = {});
+               const Spacing& spacing, bool on_edges, VerdictRows& verdicts, const Job& job = {});
 
 }  // namespace spigolo

@@ -35,7 +35,7 @@ bool is_edge(const SheetVerdict& v) { return v.kind == PointKind::edge; }
 
 // The creases of the neighbors and the point itself, drawn out to beside the point.
 std::vector<Strand> gather(std::span<const Vec3> points, std::span<const std::uint32_t> row,
-                           std::span<const SheetVerdict> verdicts, std::uint32_t i) {
+                           const VerdictRows& verdicts, std::uint32_t i) {
   std::vector<Strand> strands;
   const auto hear = [&](std::uint32_t j) {
     const SheetVerdict& v = verdicts[j];
@@ -112,8 +112,7 @@ std::optional<Vec3> common_point(std::span<const Strand> creases, const Vec3& fr
 
 std::optional<SheetVerdict> joint_at(std::span<const Vec3> points,
                                      std::span<const std::uint32_t> row,
-                                     std::span<const SheetVerdict> verdicts, std::uint32_t i,
-                                     double spacing) {
+                                     const VerdictRows& verdicts, std::uint32_t i, double spacing) {
   std::vector<Strand> creases = bundle(gather(points, row, verdicts, i), spacing);
   std::optional<Vec3> x;
   // Creases that only pass by draw the common point away; they go one by one.
@@ -140,9 +139,8 @@ std::optional<SheetVerdict> joint_at(std::span<const Vec3> points,
 }  // namespace
 
 void join_creases(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-                  const Spacing& spacing, std::vector<SheetVerdict>& verdicts, const Job& job) {
-  using Found = std::pair<std::uint32_t, SheetVerdict>;
-  const auto found = parallel_collect<Found>(
+                  const Spacing& spacing, VerdictRows& verdicts, const Job& job) {
+  verdicts.set(parallel_collect<FoundVerdict>(
       job, points.size(), grain, [&](std::size_t begin, std::size_t end, auto& here) {
         for (std::size_t i = begin; i < end; ++i) {
           if (verdicts[i].kind != PointKind::edge && verdicts[i].kind != PointKind::surface)
@@ -151,8 +149,7 @@ void join_creases(std::span<const Vec3> points, const Neighborhoods& neighborhoo
                                     static_cast<std::uint32_t>(i), spacing.of_point[i]))
             here.emplace_back(static_cast<std::uint32_t>(i), *joint);
         }
-      });
-  for (const auto& [i, verdict] : found) verdicts[i] = verdict;
+      }));
 }
 
 }  // namespace spigolo

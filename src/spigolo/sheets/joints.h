@@ -19,6 +19,6 @@ namespace spigolo {
 /// sheets of one neighborhood tell less of that place than all the creases around it. Creases of
 /// one plane are no corner but a curve that bends. All from one snapshot.
 void join_creases(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-                  const Spacing& spacing, std::vector<SheetVerdict>& verdicts, const Job& job = {});
+                  const Spacing& spacing, VerdictRows& verdicts, const Job& job = {});
 
 }  // namespace spigolo

@@ -38,7 +38,7 @@ struct Face {
 bool runs_in(const SheetVerdict& v) { return v.kind == PointKind::edge; }
 
 // Creases of three directions among the neighbors.
-bool is_crossroads(const SheetCloud& cloud, std::span<const SheetVerdict> verdicts, std::size_t i) {
+bool is_crossroads(const SheetCloud& cloud, const VerdictRows& verdicts, std::size_t i) {
   std::array<Vec3, 3> directions;
   std::size_t n = 0;
   const auto row = cloud.neighborhoods.of(i);
@@ -166,10 +166,8 @@ std::optional<SheetVerdict> look_around(const SheetCloud& cloud, const SheetVerd
 
 }  // namespace
 
-void count_meeting_sheets(const SheetCloud& cloud, std::vector<SheetVerdict>& verdicts,
-                          const Job& job) {
-  using Found = std::pair<std::uint32_t, SheetVerdict>;
-  const auto found = parallel_collect<Found>(
+void count_meeting_sheets(const SheetCloud& cloud, VerdictRows& verdicts, const Job& job) {
+  verdicts.set(parallel_collect<FoundVerdict>(
       job, cloud.size(), grain, [&](std::size_t begin, std::size_t end, auto& here) {
         for (std::size_t i = begin; i < end; ++i) {
           const bool known = verdicts[i].kind == PointKind::corner;
@@ -179,8 +177,7 @@ void count_meeting_sheets(const SheetCloud& cloud, std::vector<SheetVerdict>& ve
           if (auto verdict = look_around(cloud, verdicts[i], static_cast<std::uint32_t>(i)))
             here.emplace_back(static_cast<std::uint32_t>(i), *verdict);
         }
-      });
-  for (const auto& [i, verdict] : found) verdicts[i] = verdict;
+      }));
 }
 
 }  // namespace spigolo

@@ -17,7 +17,6 @@ namespace spigolo {
 /// point where creases of three directions run in, and four sheets or more have a common point
 /// within 0.9 spacings, becomes a corner. For clouds without noise; tips of cones come first and
 /// are left as they are.
-void count_meeting_sheets(const SheetCloud& cloud, std::vector<SheetVerdict>& verdicts,
-                          const Job& job = {});
+void count_meeting_sheets(const SheetCloud& cloud, VerdictRows& verdicts, const Job& job = {});
 
 }  // namespace spigolo

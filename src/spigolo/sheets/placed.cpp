@@ -24,22 +24,23 @@ bool right_on_crease(const SheetCloud& cloud, const SheetVerdict& verdict, std::
 // Verdicts on some places from their nearest k neighbors.
 template <typename Judge>
 void judge_again(const SheetCloud& cloud, std::span<const std::uint32_t> places, std::size_t k,
-                 std::vector<SheetVerdict>& verdicts, const Job& job, const Judge& judge) {
+                 VerdictRows& verdicts, const Job& job, const Judge& judge) {
   k = std::min(k, cloud.neighborhoods.k);
-  parallel_for(job, "", places.size(), judge_grain, [&](std::size_t begin, std::size_t end) {
+  const auto again = [&](std::size_t begin, std::size_t end, std::vector<FoundVerdict>& found) {
     std::vector<std::uint32_t> members;
     for (const std::uint32_t i : places.subspan(begin, end - begin)) {
       const auto row = cloud.neighborhoods.of(i).first(k);
       members.assign(1, i);
       members.insert(members.end(), row.begin(), row.end());
-      verdicts[i] = judge(members);
+      found.emplace_back(i, judge(members));
     }
-  });
+  };
+  verdicts.set(parallel_collect<FoundVerdict>(job, places.size(), judge_grain, again));
 }
 
 }  // namespace
 
-bool is_placed(const SheetCloud& cloud, const std::vector<SheetVerdict>& verdicts, const Job& job) {
+bool is_placed(const SheetCloud& cloud, const VerdictRows& verdicts, const Job& job) {
   const auto count = [&](auto&& counts) {
     return static_cast<double>(parallel_count(job, verdicts.size(), grain, [&](std::size_t i) {
       return verdicts[i].kind == PointKind::edge && counts(i);
@@ -52,8 +53,7 @@ bool is_placed(const SheetCloud& cloud, const std::vector<SheetVerdict>& verdict
 }
 
 void judge_placed(const SheetCloud& cloud, const SheetTolerances& tolerances,
-                  const SheetOptions& options, std::vector<SheetVerdict>& verdicts,
-                  const Job& job) {
+                  const SheetOptions& options, VerdictRows& verdicts, const Job& job) {
   const auto doubtful = parallel_select(job, verdicts.size(), grain, [&](std::size_t i) {
     const PointKind kind = verdicts[i].kind;
     return (kind == PointKind::edge || kind == PointKind::corner) &&

@@ -102,7 +102,7 @@ void refine_creases(SheetModel& model, const SheetOptions& options, const Job& j
                                     probe.look_at(some[c], std::span(rows).subspan(c * k, k)));
     }
   });
-  for (std::size_t c = 0; c < near.size(); ++c) model.verdicts[near[c]] = refined[c];
+  for (std::size_t c = 0; c < near.size(); ++c) model.verdicts.set(near[c], refined[c]);
 }
 
 }  // namespace spigolo

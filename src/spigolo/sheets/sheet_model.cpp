@@ -88,14 +88,14 @@ void judge_by_levels(SheetModel& model, const std::vector<double>& local,
                      const std::vector<double>& levels, const SheetOptions& options,
                      const Job& job) {
   std::vector<Sheet> own(model.size());
-  std::vector<SheetVerdict> verdicts(model.size());
+  VerdictRows verdicts(model.size());
   for (std::size_t level = 0; level < levels.size(); ++level) {
     find_sheets(model, levels[level], job);
     judge_all(model, options, job);
     for (std::size_t i = 0; i < model.size(); ++i) {
       if (nearest_level(levels, local[i]) != level) continue;
       own[i] = model.own[i];
-      verdicts[i] = model.verdicts[i];
+      verdicts.set(i, model.verdicts[i]);
     }
   }
   model.own = std::move(own);

@@ -23,11 +23,11 @@ namespace spigolo {
 struct SheetModel {
   PreparedCloud prepared;
   SheetTolerances tolerances;
-  std::vector<Sheet> own;              // the sheet each point lies on
-  std::vector<SheetVerdict> verdicts;  // what crease passes each point
-  bool labels_given = false;           // the verdicts' edges are given ones, not our own
-  std::vector<char> plain;  // 1: nothing but its own sheet anywhere near; empty: not looked at
-  SheetPlaces places;       // where the sheets are separated; empty: not looked at
+  std::vector<Sheet> own;     // the sheet each point lies on
+  VerdictRows verdicts;       // what crease passes each point
+  bool labels_given = false;  // the verdicts' edges are given ones, not our own
+  std::vector<char> plain;    // 1: nothing but its own sheet anywhere near; empty: not looked at
+  SheetPlaces places;         // where the sheets are separated; empty: not looked at
 
   std::span<const Vec3> points() const { return prepared.cloud.points; }
   std::size_t size() const { return prepared.cloud.size(); }

@@ -31,11 +31,11 @@ double log_odds(double noise, double away, double angle, double alike, bool corn
 }  // namespace
 
 void rate_verdicts(const SheetCloud& cloud, const SheetTolerances& tolerances,
-                   std::vector<SheetVerdict>& verdicts, const Job& job) {
+                   VerdictRows& verdicts, const Job& job) {
   const auto marked = parallel_select(job, verdicts.size(), grain,
                                       [&](std::size_t i) { return sharp(verdicts[i]); });
   for (const std::uint32_t i : marked) {
-    SheetVerdict& verdict = verdicts[i];
+    SheetVerdict& verdict = verdicts.edit(i);
     const auto row = cloud.neighborhoods.of(i);
     const auto near = row.first(std::min(asked, row.size()));
     const auto alike = static_cast<double>(std::count_if(

@@ -17,6 +17,6 @@ namespace spigolo {
 /// model of the noise, the distance to the crease, the angle and how many neighbors are sharp too,
 /// fitted to constructed shapes (docs/detection.md says which, and how it holds on others).
 void rate_verdicts(const SheetCloud& cloud, const SheetTolerances& tolerances,
-                   std::vector<SheetVerdict>& verdicts, const Job& job = {});
+                   VerdictRows& verdicts, const Job& job = {});
 
 }  // namespace spigolo

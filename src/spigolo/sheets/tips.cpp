@@ -173,8 +173,8 @@ std::vector<Tip> distinct_tips(const SheetCloud& cloud, const SheetTolerances& t
 
 }  // namespace
 
-void find_tips(const SheetCloud& cloud, const SheetTolerances& tolerances,
-               std::vector<SheetVerdict>& verdicts, const Job& job) {
+void find_tips(const SheetCloud& cloud, const SheetTolerances& tolerances, VerdictRows& verdicts,
+               const Job& job) {
   if (tolerances.noise > most_noise) return;
   const std::vector<Tip> tips = distinct_tips(cloud, tolerances, job);
   for (const Tip& tip : tips) {
@@ -185,9 +185,10 @@ void find_tips(const SheetCloud& cloud, const SheetTolerances& tolerances,
         });
     for (const std::uint32_t j : tip.around) {
       const double s = cloud.spacing.of_point[j], away = distance(cloud.points[j], tip.point) / s;
-      if (feigned(verdicts[j], tip, s)) verdicts[j] = {};
+      if (feigned(verdicts[j], tip, s)) verdicts.set(j, {});
       if (away < tip_reach || (j == nearest && away < widest_reach)) {
-        verdicts[j] = {PointKind::tip, tip.deviation, 0.5 + 0.5 * (1 - away), tip.point, {}, {}, 1};
+        verdicts.set(j,
+                     {PointKind::tip, tip.deviation, 0.5 + 0.5 * (1 - away), tip.point, {}, {}, 1});
       }
     }
   }

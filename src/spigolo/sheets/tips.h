@@ -18,7 +18,7 @@ namespace spigolo {
 /// nearest one within 1, become tips, and the creases that the cone's own curvature feigned close
 /// to it go. deviation: 180 degrees less the opening angle. Not looked for where noise hides the
 /// fan (0.15 spacings and more).
-void find_tips(const SheetCloud& cloud, const SheetTolerances& tolerances,
-               std::vector<SheetVerdict>& verdicts, const Job& job = {});
+void find_tips(const SheetCloud& cloud, const SheetTolerances& tolerances, VerdictRows& verdicts,
+               const Job& job = {});
 
 }  // namespace spigolo

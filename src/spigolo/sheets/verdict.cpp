@@ -135,7 +135,7 @@ bool sharp(const SheetVerdict& v) {
 // Another point of the same crease, beside this one and clearly closer to it. One right on the
 // crease, as those of meshes are, casts a longer shadow: if some are placed there, all are.
 bool overshadowed(std::span<const Vec3> points, std::span<const std::uint32_t> neighbors,
-                  std::span<const SheetVerdict> verdicts, std::uint32_t i, double spacing,
+                  const VerdictRows& verdicts, std::uint32_t i, double spacing,
                   const SheetTolerances& tolerances) {
   const SheetVerdict& mine = verdicts[i];
   const double away = distance(points[i], mine.crease_point) / spacing;
@@ -193,14 +193,11 @@ bool ends_at(std::span<const Vec3> points, std::span<const Sheet> sheets,
   return cover.count > 0 && find_rim(points, sheets, members, cover, least).has_value();
 }
 
-std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
-                                       const Neighborhoods& neighborhoods,
-                                       std::span<const Sheet> sheets,
-                                       const SheetTolerances& tolerances,
-                                       const SheetOptions& options, const Job& job) {
-  auto verdicts = parallel_array<SheetVerdict>(job, points.size());
+VerdictRows judge_points(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
+                         std::span<const Sheet> sheets, const SheetTolerances& tolerances,
+                         const SheetOptions& options, const Job& job) {
   const std::size_t k = std::min(tolerances.asked, neighborhoods.k);
-  parallel_for(job, "detect", points.size(), grain, [&](std::size_t begin, std::size_t end) {
+  const auto judge = [&](std::size_t begin, std::size_t end, std::vector<FoundVerdict>& found) {
     std::vector<std::uint32_t> members;
     for (std::size_t i = begin; i < end; ++i) {
       const auto row = neighborhoods.of(i).first(k);
@@ -208,15 +205,17 @@ std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
       if (explains_all(sheets[i], tolerances) && surrounded(points, i, row, sheets[i])) continue;
       members.assign(1, static_cast<std::uint32_t>(i));
       members.insert(members.end(), row.begin(), row.end());
-      verdicts[i] = judge_point(points, sheets, members, tolerances, options);
+      const SheetVerdict verdict = judge_point(points, sheets, members, tolerances, options);
+      if (!verdict.says_nothing()) found.emplace_back(members[0], verdict);
     }
-  });
-  return verdicts;
+  };
+  return {points.size(),
+          parallel_collect<FoundVerdict>(job, points.size(), grain, judge, "detect")};
 }
 
 void clean_verdicts(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                     const Spacing& spacing, const SheetTolerances& tolerances,
-                    std::vector<SheetVerdict>& verdicts, const Job& job) {
+                    VerdictRows& verdicts, const Job& job) {
   const auto is_wrong = [&](std::size_t i) {
     if (verdicts[i].kind == PointKind::surface) return false;
     const auto row = neighborhoods.of(i);
@@ -229,7 +228,7 @@ void clean_verdicts(std::span<const Vec3> points, const Neighborhoods& neighborh
                         tolerances);
   };
   for (const std::uint32_t i : parallel_select(job, verdicts.size(), clean_grain, is_wrong))
-    verdicts[i] = {};
+    verdicts.set(i, {});
 }
 
 }  // namespace spigolo

@@ -15,6 +15,7 @@
 #include "spigolo/index/spacing.h"
 #include "spigolo/sheets/cover.h"
 #include "spigolo/sheets/crease.h"
+#include "spigolo/sheets/verdict_rows.h"
 
 namespace spigolo {
 
@@ -24,18 +25,6 @@ struct SheetOptions {
 
 /// [rad] least deviation of an edge: 25 degrees at sensitivity 0, 8 at 0.5, 6 at 1.
 double least_deviation(double sensitivity);
-
-struct SheetVerdict {
-  PointKind kind = PointKind::surface;
-  double deviation = 0;  // [rad] angle from flat, 0 for surface and border
-  double strength = 0;   // 0 to 1: how likely it is right, see rate_verdicts
-  Vec3 crease_point;     // nearest point on the crease, corner or (of a border) the point itself
-  Vec3 direction;        // unit, along the crease; zero unless an edge
-  std::array<Vec3, 2> into{};  // of an edge: unit, square to it, from the crease into each sheet
-  std::uint8_t sheets = 1;     // that meet: 2 at an edge, 3 or more at a corner
-  std::int8_t folded = 0;      // by a fold test (HingeTest): 1 sharp, -1 rounded, 0 not known
-  std::int8_t convex = 0;      // 1 convex, -1 concave, 0 not known or no edge
-};
 
 /// Verdict on members[0] from the sheets of its neighborhood: an edge if two of them cross within
 /// 0.66 spacings of it (1.3 with noise: then it is a proposal, see agree_on_creases), each ends
@@ -53,17 +42,15 @@ bool ends_at(std::span<const Vec3> points, std::span<const Sheet> sheets,
 
 /// All points, from their own sheets. neighborhoods need max(20, sheet_tolerances(noise).k)
 /// neighbors a row. With noise these are proposals.
-std::vector<SheetVerdict> judge_points(std::span<const Vec3> points,
-                                       const Neighborhoods& neighborhoods,
-                                       std::span<const Sheet> sheets,
-                                       const SheetTolerances& tolerances,
-                                       const SheetOptions& options, const Job& job = {});
+VerdictRows judge_points(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
+                         std::span<const Sheet> sheets, const SheetTolerances& tolerances,
+                         const SheetOptions& options, const Job& job = {});
 
 /// Drops what the neighbors' verdicts speak against, all from one snapshot: edges and borders that
 /// stand alone, and of two points beside each other on an edge the one clearly farther from it;
 /// how close beside each other shrinks with the noise [spacings], down to never.
 void clean_verdicts(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                     const Spacing& spacing, const SheetTolerances& tolerances,
-                    std::vector<SheetVerdict>& verdicts, const Job& job = {});
+                    VerdictRows& verdicts, const Job& job = {});
 
 }  // namespace spigolo

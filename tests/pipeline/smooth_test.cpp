@@ -47,6 +47,25 @@ TEST(Smooth, SamplesWithoutNoiseStayWhereTheyAre) {
   }
 }
 
+// Places were chosen along the space-filling curve and curvature was drawn to zero by its own axes,
+// so that a turned cloud ended up to .18 spacings beside.
+TEST(Smooth, ATurnedCloudEndsWhereItDidBefore) {
+  const Vec3 x = normalized(Vec3{0.7, -0.2, 0.55}), y = normalized(cross(Vec3{0.1, 0.9, -0.3}, x));
+  const Vec3 z = cross(x, y);
+  for (const double noise : {0.0, 0.1}) {
+    const std::vector<Vec3> points = box(noise);
+    std::vector<Vec3> turned;
+    for (const Vec3& p : points) turned.push_back({dot(p, x), dot(p, y), dot(p, z)});
+    const Smoothed a = smooth(points), b = smooth(turned);
+    std::size_t elsewhere = 0;  // a choice between two as good may still turn
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec3 &p = a.position[i], &q = b.position[i];
+      elsewhere += distance(Vec3{dot(p, x), dot(p, y), dot(p, z)}, q) > 1e-6 * a.spacing;
+    }
+    EXPECT_LE(elsewhere, points.size() / 20) << noise;
+  }
+}
+
 TEST(Smooth, OneSoundEntryForEveryPoint) {
   for (const double noise : {0.0, 0.3}) {
     const std::vector<Vec3> points = box(noise);

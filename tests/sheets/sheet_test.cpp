@@ -35,6 +35,28 @@ std::vector<Vec3> patch(const Placed& frame, double curvature, int count, Random
   return points;
 }
 
+TEST(Sheet, ARidgeIsTheSameInEveryFrame) {
+  Random random(73);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Placed frame = random_frame(random);
+    std::vector<Vec3> points = patch(frame, 0.1, 40, random), turned;
+    const double angle = random.uniform(0, 2 * pi);  // about the normal that the fit is told
+    const auto turn = [&](const Vec3& p) {
+      const Vec3 d = p - frame.origin;
+      const double u = dot(d, frame.x), v = dot(d, frame.y);
+      return frame({u * std::cos(angle) - v * std::sin(angle),
+                    u * std::sin(angle) + v * std::cos(angle), dot(d, frame.z)});
+    };
+    for (const Vec3& p : points) turned.push_back(turn(p));
+    const std::vector<double> weights(points.size(), 1);
+    const auto fit = [&](const std::vector<Vec3>& to) {
+      return fit_weighted_sheet(to, weights, frame.origin, frame.z, 1, 0.1);
+    };
+    const Vec3 place = frame({0.4, -0.7, 0.2});
+    EXPECT_NEAR(height(fit(points), place), height(fit(turned), turn(place)), 1e-9);
+  }
+}
+
 TEST(Sheet, PlanesAreFittedExactly) {
   Random random(71);
   for (int trial = 0; trial < 50; ++trial) {

@@ -12,6 +12,7 @@
 
 #include "spigolo/core/parallel.h"
 #include "spigolo/index/flattest_half.h"
+#include "spigolo/index/sample.h"
 
 namespace spigolo {
 namespace {
@@ -98,13 +99,13 @@ double unbend(double deviation, double limit) {
 // From the quadrics of wide neighborhoods.
 double estimate_wide_noise(std::span<const Vec3> points, const KdTree& tree, const Spacing& spacing,
                            const Job& job) {
-  const std::size_t looks = std::min(points.size(), wide_looks);
-  std::vector<double> deviation(looks);
-  parallel_for(job, "", looks, grain, [&](std::size_t begin, std::size_t end) {
+  const std::vector<std::uint32_t> looks = sample_points(spacing, wide_looks);
+  std::vector<double> deviation(looks.size());
+  parallel_for(job, "", looks.size(), grain, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbor> found;
     std::vector<std::uint32_t> row;
     for (std::size_t look = begin; look < end; ++look) {
-      const std::size_t i = look * points.size() / looks;
+      const std::uint32_t i = looks[look];
       tree.nearest(points[i], wide_k + 1, found);
       row.clear();
       for (const Neighbor& n : found)
@@ -125,18 +126,21 @@ double noise_of_flattest_half(std::span<const Vec3> points, std::size_t i,
 double estimate_noise(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                       const Spacing& spacing, const KdTree& tree, const Job& job) {
   if (neighborhoods.k < quadric_k || points.size() < 4 * quadric_k) return 0;
-  const std::size_t looks = std::min(points.size(), max_looks);
-  std::vector<double> plane(looks), quadric(looks), half((looks + halves_share - 1) / halves_share);
-  parallel_for(job, "", looks, grain, [&](std::size_t begin, std::size_t end) {
+  const std::vector<std::uint32_t> looks = sample_points(spacing, max_looks);
+  const std::vector<std::uint32_t> few = sample_points(spacing, looks.size() / halves_share);
+  std::vector<double> plane(looks.size()), quadric(looks.size()), half(few.size());
+  parallel_for(job, "", looks.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t look = begin; look < end; ++look) {
-      const std::size_t i = look * points.size() / looks;
-      const auto row = neighborhoods.of(i);
-      const double s = spacing.of_point[i];
-      plane[look] = plane_deviation(in_own_frame(points, i, row.first(plane_k), s));
-      quadric[look] = quadric_deviation(in_own_frame(points, i, row.first(quadric_k), s));
-      if (look % halves_share == 0)
-        half[look / halves_share] = half_deviation(points, i, row.first(quadric_k), s);
+      const auto row = neighborhoods.of(looks[look]);
+      const double s = spacing.of_point[looks[look]];
+      plane[look] = plane_deviation(in_own_frame(points, looks[look], row.first(plane_k), s));
+      quadric[look] = quadric_deviation(in_own_frame(points, looks[look], row.first(quadric_k), s));
     }
+  });
+  parallel_for(job, "", few.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t look = begin; look < end; ++look)
+      half[look] = half_deviation(points, few[look], neighborhoods.of(few[look]).first(quadric_k),
+                                  spacing.of_point[few[look]]);
   });
   const double least =
       std::min({lower_quartile(plane) / plane_quartile, lower_quartile(quadric) / quadric_quartile,

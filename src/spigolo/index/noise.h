@@ -21,8 +21,8 @@ namespace spigolo {
 /// lower quartile over the cloud, where no crease is near, and corrected for the freedom its fit
 /// has; large noise, of which small neighborhoods show only a part, is corrected for that. Above
 /// 0.4 a quadric through 65 points may find less: of even samples shaken across the surface only,
-/// the others see too much. 0 if there are too few points. Looks at 20 000 points at most, evenly
-/// along the canonical order.
+/// the others see too much. 0 if there are too few points. Looks at about 20 000 points at
+/// most, as sample_points has them.
 double estimate_noise(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                       const Spacing& spacing, const KdTree& tree, const Job& job = {});
 

@@ -24,6 +24,12 @@ inline FramePlace in_frame(const Sheet& s, const Vec3& p) {
 
 using Matrix6 = std::array<std::array<double, 6>, 6>;
 
+// Draws the curvature of a sheet to zero, the same in whatever frame: a3^2 + a4^2 / 2 + a5^2 does
+// not change when the frame turns about its normal.
+inline void add_ridge(Matrix6& m, double weight) {
+  m[3][3] += weight, m[4][4] += weight / 2, m[5][5] += weight;
+}
+
 // Cholesky factorization and two substitutions of the first n rows; false where the matrix is not
 // positive.
 inline bool solve(Matrix6& m, std::array<double, 6>& x, std::size_t n = 6) {
@@ -84,7 +90,7 @@ inline bool solve_quadric(std::span<const Vec3> points, std::span<const double> 
     if (weights[i] > 0) moments.add(weights[i], in_frame(s, points[i]));
   Matrix6 m = moments.matrix();
   std::array<double, 6> a = moments.w;
-  for (std::size_t i = 3; i < 6; ++i) m[i][i] += ridge * moments.uv[0];
+  add_ridge(m, ridge * moments.uv[0]);
   if (!solve(m, a)) return false;
   s.a = a;
   return true;

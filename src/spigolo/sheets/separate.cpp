@@ -18,6 +18,9 @@ constexpr double plane_gain = 12;
 constexpr double far = 0.6;  // share of the width: a sheet that begins there is a plane
 constexpr int exact_rounds = 2, noisy_rounds = 4;
 constexpr double side_floor = 1e-4, side_noise = 0.3;  // [spacings], [standard deviations]
+// [spacings] A quadric is a little off far from its center, so a sample this close to a sheet does
+// not say which side of it is surface: one that lies exactly on a crease may seem to be beyond it.
+constexpr double exact_side = 0.05;
 constexpr double rare = 0.04,
                  rare_at_places =
                      0.1;             // share of a noisy sheet's points that strayed over a crease
@@ -238,6 +241,8 @@ void SheetSeparator::note_sides() {
   std::array<std::array<std::uint16_t, 64>, LocalSheets::most> seen{};
   std::array<std::size_t, LocalSheets::most> total{};
   std::array<std::array<float, LocalSheets::most>, LocalSheets::most> sided{};
+  const bool exact = model_.tolerances.noise < exact_noise;
+  const double beside = exact ? std::max(exact_side, r_->sheets.tolerance) : r_->sheets.tolerance;
   r_->sheets.share_above = {};
   measure(r_->points);
   for (std::size_t t = 0; t < r_->points.size(); ++t) {
@@ -248,7 +253,7 @@ void SheetSeparator::note_sides() {
     for (std::size_t c = 0; c < r_->sheets.count; ++c) {
       if (c == s) continue;
       const double h = heights_[c * r_->points.size() + t];
-      const bool on_side = std::abs(h) > r_->sheets.tolerance;
+      const bool on_side = std::abs(h) > beside;
       clear &= on_side;
       if (h > 0) above |= 1U << c;
       if (!on_side) continue;
@@ -263,7 +268,7 @@ void SheetSeparator::note_sides() {
     for (std::size_t c = 0; c < r_->sheets.count; ++c)
       r_->sheets.share_above[s][c] =
           sided[s][c] > 0 ? r_->sheets.share_above[s][c] / sided[s][c] : 0.5F;
-  const double share = model_.tolerances.noise < exact_noise ? 0 : rare_;
+  const double share = exact ? 0 : rare_;
   for (std::size_t s = 0; s < r_->sheets.count; ++s) {
     r_->sheets.data_sides[s] = total[s] == 0 ? ~std::uint64_t{0} : 0;
     for (std::uint32_t pattern = 0; pattern < 64; ++pattern)

@@ -152,7 +152,7 @@ Sheet fit_weighted_sheet(std::span<const Vec3> points, std::span<const double> w
   if (support < plane_points) return {};
   Matrix6 m = moments.matrix();
   s.a = moments.w;
-  for (std::size_t i = 3; i < 6; ++i) m[i][i] += ridge * moments.uv[0];
+  add_ridge(m, ridge * moments.uv[0]);
   const bool curved = support >= quadric_points && solve(m, s.a);
   if (curved) s.deviation = weighted_deviation(s, points, weights, moments.uv[0]);
   if (!curved || plane_gain > 0) {

@@ -19,12 +19,14 @@ namespace {
 constexpr std::size_t grain = 16;
 // [spacings] size of a place, small against the reach of a look.
 constexpr double least_size = 1.4, size_per_smoothing = 0.25;
-constexpr int sweeps = 2;              // neighbors' sheets reach so many places farther
+constexpr double alike = 1e-6;  // [spacings] what rounding may change, when a cloud is turned
+constexpr int sweeps = 2;       // neighbors' sheets reach so many places farther
 constexpr std::size_t most_tried = 2;  // neighbors' sheets that are fitted
 constexpr std::size_t glance = 4;      // of so many points one tells whether that is worth it
 constexpr double worth = 1.25;         // a glance's score may be worse by that
 constexpr int try_rounds = 2;
-// A further sheet may lie anywhere, so some place is found where it explains the noise.
+// Each further sheet, found or left out: it may lie anywhere, so some place is found where it
+// explains the noise.
 constexpr double price_of_sheet = 15;
 // [spacings] with more noise, sheets that might be one are one: two of them would follow the noise.
 constexpr double noise_joins = 0.4;
@@ -35,22 +37,39 @@ double size_of_place(const ProbeReach& reach) {
   return least_size + size_per_smoothing * reach.smoothing;
 }
 
+// Points in an order that a turned, moved or scaled cloud has too: by their spacing, the
+// largest first, which takes the fewest places; points alike in that in the canonical order.
+std::vector<std::uint32_t> by_spacing(const Spacing& spacing) {
+  std::vector<std::pair<std::int64_t, std::uint32_t>> keyed(spacing.of_point.size());
+  for (std::uint32_t i = 0; i < keyed.size(); ++i)
+    keyed[i] = {std::llround(-spacing.of_point[i] / (alike * spacing.of_cloud)), i};
+  std::sort(keyed.begin(), keyed.end());
+  std::vector<std::uint32_t> order;
+  for (const auto& [_, i] : keyed) order.push_back(i);
+  return order;
+}
+
+// A point of the order that no place has taken yet is one, and takes the points near it from places
+// that are farther away.
 void choose_places(SheetModel& model, double size) {
   SheetPlaces& places = model.places;
+  const std::span<const Vec3> points = model.points();
   places = {};
   places.of_point.assign(model.size(), no_point);
+  std::vector<double> away(model.size(), infinity);  // squared, from the point's place
   std::uint32_t entries = 0;
-  for (std::uint32_t i = 0; i < model.size(); ++i) {
+  for (const std::uint32_t i : by_spacing(model.prepared.spacing)) {
     if (places.of_point[i] != no_point) continue;
     const auto number = static_cast<std::uint32_t>(places.point.size());
     places.point.push_back(i);
     places.known.push_back(model.plain[i] ? no_point : entries++);
-    places.of_point[i] = number;
     const double limit = size * model.prepared.spacing.of_point[i];
-    for (const std::uint32_t j : model.prepared.neighborhoods.of(i))
-      if (places.of_point[j] == no_point &&
-          squared_distance(model.points()[i], model.points()[j]) < limit * limit)
-        places.of_point[j] = number;
+    const auto take = [&](std::uint32_t j) {
+      const double off = squared_distance(points[i], points[j]);
+      if (off < limit * limit && off < away[j]) places.of_point[j] = number, away[j] = off;
+    };
+    take(i);
+    for (const std::uint32_t j : model.prepared.neighborhoods.of(i)) take(j);
   }
   places.sheets.resize(entries);
 }
@@ -130,8 +149,10 @@ class PlaceWork {
 
   void take_if_better(PlaceSheets& best) {
     const double score = separator_.score(region_);
-    const double price = region_.sheets.count > best.sheets.count ? price_of_sheet : better;
-    if (score < best.score - price) best.score = score, best.sheets = region_.sheets;
+    const double more =
+        static_cast<double>(region_.sheets.count) - static_cast<double>(best.sheets.count);
+    if (score < best.score - price_of_sheet * more - better)
+      best.score = score, best.sheets = region_.sheets;
   }
 
   // Places next to this one whose sheets, as they are, explain its points about as well.

@@ -46,9 +46,13 @@ void gather_region(const SheetModel& model, const KdTree& tree, const Vec3& cent
   region.center = center;
   region.smoothing = reach.smoothing;
   tree.nearest(center, reach.k, region.found);
-  region.spacing = model.prepared.spacing.of_point[region.found.front().index];
   region.points.clear();
-  for (const Neighbor& n : region.found) region.points.push_back(model.points()[n.index]);
+  double spacings = 0;  // the nearest point's alone scatters, and with it how far a look weighs
+  for (const Neighbor& n : region.found) {
+    region.points.push_back(model.points()[n.index]);
+    spacings += model.prepared.spacing.of_point[n.index];
+  }
+  region.spacing = spacings / static_cast<double>(region.found.size());
 }
 
 void gather_region(const SheetModel& model, std::uint32_t point,

@@ -5,14 +5,13 @@
 // --peers, docs/rivals.md and docs/rivals.json
 //
 // spigolo_bench [--data DIR] [--peers] [--large] [--only NAME,...] [--out FILE] [--pictures DIR]
-#include <sys/resource.h>
-
-#include <chrono>
 #include <functional>
 #include <iostream>
 #include <string>
 
+#include "claims.h"
 #include "environment.h"
+#include "meter.h"
 #include "sections.h"
 #include "spigolo/core/error.h"
 #include "spigolo/io/atomic_file.h"
@@ -93,13 +92,16 @@ std::vector<Section> sections(const Arguments& a) {
           {"peers", name_rivals}};
 }
 
-std::vector<Section> rival_sections(const Arguments& a) {
+std::vector<Section> rival_sections(const Arguments& a, spigolo::bench::Scoreboard& board) {
   using namespace spigolo::bench;
+  const auto shipped = a.out.parent_path() / "pictures";
   return {{"peers", [](Report& r) { rivals_versions(r, {}); }},
-          {"peers-detect", [=](Report& r) { rivals_detect(r, {}, a.data); }},
+          {"peers-detect", [=, &board](Report& r) { rivals_detect(r, {}, a.data, board); }},
           {"peers-published", rivals_published},
-          {"peers-smooth", [](Report& r) { rivals_smooth(r, {}); }},
-          {"peers-mesh", [=](Report& r) { rivals_mesh(r, {}, a.pictures); }}};
+          {"peers-smooth", [&board](Report& r) { rivals_smooth(r, {}, board); }},
+          {"peers-mesh", [=, &board](Report& r) {
+             rivals_mesh(r, {}, {shipped, a.pictures}, board);
+           }}};
 }
 
 /// `only` names the section or what stands before its dash.
@@ -109,36 +111,20 @@ bool chosen(const std::string& name, const std::string& only) {
          list.find("," + group + ",") != std::string::npos;
 }
 
-double seconds_of(const timeval& t) {
-  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-}
-
-/// Of all threads and of all programs that have been run, since the start.
-double cpu_seconds() {
-  double sum = 0;
-  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
-    rusage usage{};
-    getrusage(who, &usage);
-    sum += seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
-  }
-  return sum;
-}
-
-double wall_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 /// Runs the chosen sections in their order, then says what each has cost.
 void run_sections(Report& report, const std::vector<Section>& list, const std::string& only) {
+  using spigolo::bench::children_seconds;
+  using spigolo::bench::cpu_seconds;
   using spigolo::bench::number;
+  using spigolo::bench::wall_seconds;
   std::vector<std::vector<std::string>> cost;
   double all_cpu = 0, all_wall = 0;
   for (const Section& section : list) {
     if (!chosen(section.name, only)) continue;
     std::cerr << section.name << std::flush;
-    const double cpu = cpu_seconds(), wall = wall_seconds();
+    const double cpu = cpu_seconds() + children_seconds(), wall = wall_seconds();
     section.run(report);
-    const double used = cpu_seconds() - cpu, elapsed = wall_seconds() - wall;
+    const double used = cpu_seconds() + children_seconds() - cpu, elapsed = wall_seconds() - wall;
     std::cerr << ": " << number(used) << " s of CPU\n";
     cost.push_back({section.name, number(used, 1), number(elapsed, 1)});
     all_cpu += used, all_wall += elapsed;
@@ -148,16 +134,8 @@ void run_sections(Report& report, const std::vector<Section>& list, const std::s
   report.table({"section", "CPU [s]", "wall [s]"}, cost);
 }
 
-/// One page: sections in their order, as Markdown and, beside it, as JSON.
-void write_page(const std::string& title, const std::vector<Section>& list, const std::string& only,
-                const std::filesystem::path& path) {
-  Report report;
-  report.heading(1, title);
-  report.text(
-      "Made by `./dev bench`; do not edit by hand. docs/benchmarks.md says what is measured and "
-      "how.");
-  run_sections(report, list, only);
-  spigolo::bench::environment(report);
+/// As Markdown and, beside it, as JSON.
+void write_page(const Report& report, const std::filesystem::path& path) {
   const std::filesystem::path json = std::filesystem::path(path).replace_extension(".json");
   std::filesystem::create_directories(path.parent_path());
   for (const auto& [file, text] : {std::pair{path, report.str()}, std::pair{json, report.json()}}) {
@@ -168,9 +146,32 @@ void write_page(const std::string& title, const std::vector<Section>& list, cons
   std::cerr << "wrote " << path.string() << "\n";
 }
 
+constexpr const char* made =
+    "Made by `./dev bench`; do not edit by hand. docs/benchmarks.md says what is measured and how.";
+
+/// On both pages the summary stands first, and is known last.
+void write_results(const Arguments& a) {
+  Report page("Results", made), body("Results");
+  run_sections(body, sections(a), a.only);
+  spigolo::bench::write_claims(page, body);
+  page.append(body);
+  spigolo::bench::environment(page);
+  write_page(page, a.out);
+}
+
+void write_rivals(const Arguments& a) {
+  spigolo::bench::Scoreboard board;
+  Report page("Rivals", made), body("Rivals");
+  run_sections(body, rival_sections(a, board), a.only);
+  board.write(page);
+  page.append(body);
+  spigolo::bench::environment(page);
+  write_page(page, a.out.parent_path() / "rivals.md");
+}
+
 void run(const Arguments& a) {
-  write_page("Results", sections(a), a.only, a.out);
-  if (a.peers) write_page("Rivals", rival_sections(a), a.only, a.out.parent_path() / "rivals.md");
+  write_results(a);
+  if (a.peers) write_rivals(a);
 }
 
 }  // namespace

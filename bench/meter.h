@@ -10,6 +10,7 @@ namespace spigolo::bench {
 
 double cpu_seconds();  // of all threads
 double wall_seconds();
+double children_seconds();  // CPU of all programs that were run and have ended
 
 /// What was used since the meter was made.
 class Meter {

@@ -24,6 +24,16 @@ std::string number(double value, int digits) {
   return buffer;
 }
 
+Report::Report(const std::string& title, const std::string& paragraph) {
+  heading(1, title);
+  text(paragraph);
+}
+
+void Report::append(const Report& other) {
+  out_ << other.out_.str();
+  tables_.insert(tables_.end(), other.tables_.begin(), other.tables_.end());
+}
+
 void Report::heading(int level, const std::string& text) {
   out_ << std::string(static_cast<std::size_t>(level), '#') << ' ' << text << "\n\n";
   section_.resize(static_cast<std::size_t>(level) - 1);

@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // bench/rivals_detect.cpp - detection by others: one setting for all sets, and their best for each
-#include <array>
-#include <iterator>
-#include <sstream>
-
 #include "common.h"
 #include "labelled.h"
+#include "rival_detectors.h"
 #include "sections.h"
 #include "truth.h"
 
@@ -15,90 +12,6 @@ namespace spigolo::bench {
 namespace {
 
 constexpr double without_border = 4;  // [h] from the border of an open surface nothing is scored
-
-/// A rival gives every point a score, in several columns (its scales); a limit on it marks points.
-struct Detector {
-  const char* name;
-  bool (*run)(const RivalPlaces& places, const std::string& in, const fs::path& out,
-              double spacing);
-  std::size_t skip = 0;         // columns before the scores
-  const char* names = nullptr;  // of the scores, if the file's do not tell
-};
-
-bool run_vcm(const RivalPlaces& places, const std::string& in, const fs::path& out,
-             double spacing) {
-  return run_rival(places, {places.program("cgal_vcm"), in, out.string(), number(spacing, 12)});
-}
-bool run_pca(const RivalPlaces& places, const std::string& in, const fs::path& out, double) {
-  return run_rival(places, {places.program("multi_scale_pca"), in, out.string()});
-}
-bool run_pcl(const RivalPlaces& places, const std::string& in, const fs::path& out, double) {
-  return run_rival(places, {places.program("pcl_curvature"), in, out.string()});
-}
-bool run_cloudcompare(const RivalPlaces& places, const std::string& in, const fs::path& out,
-                      double spacing) {
-  std::vector<std::string> command = {"env",
-                                      "QT_QPA_PLATFORM=offscreen",
-                                      "CloudCompare",
-                                      "-SILENT",
-                                      "-NO_TIMESTAMP",
-                                      "-AUTO_SAVE",
-                                      "OFF",
-                                      "-O",
-                                      in,
-                                      "-C_EXPORT_FMT",
-                                      "ASC",
-                                      "-PREC",
-                                      "12",
-                                      "-ADD_HEADER"};
-  for (const double radius : {1.5, 2.0, 3.0, 4.0})
-    command.insert(command.end(), {"-FEATURE", "SURFACE_VARIATION", number(radius * spacing, 12)});
-  command.emplace_back("-SAVE_CLOUDS");
-  const fs::path made = fs::path(in).replace_extension(".asc");
-  fs::remove(made);
-  if (!run_rival(places, command) || !fs::exists(made)) return false;
-  fs::rename(made, out);
-  return true;
-}
-
-constexpr std::array<Detector, 4> detectors = {{{"CGAL VCM", run_vcm, 0},
-                                                {"multi-scale PCA", run_pca, 0},
-                                                {"PCL curvature", run_pcl, 0},
-                                                {"CloudCompare surface variation", run_cloudcompare,
-                                                 3, "radius-1.5 radius-2 radius-3 radius-4"}}};
-
-/// One cloud with its truth and what everyone says about it.
-struct Set {
-  std::vector<std::string> title;
-  std::vector<Vec3> points;
-  FeatureTruth truth;
-  double spacing = 0;              // mean, that radii are relative to
-  std::array<Scores, 4> scores{};  // of the detectors
-  std::vector<std::uint8_t> sheets{}, thesis{};
-};
-
-using Sets = std::vector<Set>;
-
-std::vector<std::string> words_of(const char* text) {
-  std::istringstream in(text);
-  return {std::istream_iterator<std::string>(in), {}};
-}
-
-void ask_all(const RivalPlaces& places, Set& set) {
-  const fs::path in = places.file("detect.xyz"), out = places.file("scores.txt");
-  write_xyz(in, set.points);
-  for (std::size_t r = 0; r < detectors.size(); ++r) {
-    fs::remove(out);
-    if (!detectors[r].run(places, in.string(), out, set.spacing)) continue;
-    auto scores = read_scores(out, detectors[r].skip);
-    if (!scores || scores->columns.empty() || scores->columns[0].size() != set.points.size())
-      continue;
-    if (detectors[r].names != nullptr) scores->names = words_of(detectors[r].names);
-    set.scores[r] = std::move(*scores);
-  }
-  set.sheets = sharp_flags(detect(set.points).features);
-  set.thesis = sharp_flags(detect(set.points, thesis_method()).features);
-}
 
 /// Takes the points near the border of an open surface out of the score: not every rival knows
 /// borders, and this table is not about them.
@@ -180,9 +93,23 @@ struct Judged {
   std::vector<bool> answered;
 };
 
-/// One table: ours, then of each rival the one setting and its best for each set.
-void add_table(Report& report, const Sets& sets, std::vector<std::string> head, Scoring scoring,
-               const Judged& judged) {
+const char* name_of(Scoring scoring) {
+  return scoring == Scoring::thin ? "thin F1" : "tolerant F1";
+}
+
+/// values: of one set, as in a row of the table.
+std::vector<Entry> entries_of(const std::vector<double>& values) {
+  std::vector<Entry> entries = {{"`sheets`", values[0], values[0]},
+                                {"`gauss-map`", values[1], values[1]}};
+  for (std::size_t r = 0; r < detectors.size(); ++r)
+    entries.push_back({detectors[r].name, values[2 + 2 * r], values[3 + 2 * r]});
+  return entries;
+}
+
+/// One table: ours, then of each rival the one setting and its best for each set. Returns it as a
+/// contest without the name of its task.
+Contest add_table(Report& report, const Sets& sets, std::vector<std::string> head, Scoring scoring,
+                  const Judged& judged) {
   std::vector<Sweep> sweeps;
   for (std::size_t r = 0; r < detectors.size(); ++r) sweeps.emplace_back(sets, r, scoring);
   const std::size_t titles = head.size();
@@ -191,6 +118,7 @@ void add_table(Report& report, const Sets& sets, std::vector<std::string> head, 
     head.insert(head.end(), {std::string(d.name) + ": one setting", "best"});
   std::vector<std::vector<std::string>> rows;
   std::vector<double> sums(head.size() - titles, 0);
+  Contest contest{"", name_of(scoring)};
   for (std::size_t s = 0; s < sets.size(); ++s) {
     std::vector<double> values = {classify(sets[s].sheets, sets[s].truth, scoring).f1,
                                   classify(sets[s].thesis, sets[s].truth, scoring).f1};
@@ -205,12 +133,19 @@ void add_table(Report& report, const Sets& sets, std::vector<std::string> head, 
       sums[v] += values[v] / static_cast<double>(sets.size());
     }
     rows.push_back(row);
+    contest.sets.push_back(entries_of(values));
   }
   std::vector<std::string> mean(titles);
   mean[0] = "mean";
   for (const double sum : sums) mean.push_back(std::isnan(sum) ? "-" : number(sum, 3));
   rows.push_back(mean);
   report.table(head, rows);
+  return contest;
+}
+
+void enter(Scoreboard& board, const std::string& task, Contest contest) {
+  contest.task = task;
+  board.add(std::move(contest));
 }
 
 /// The one setting of each rival: the best mean over these sets, by their truth.
@@ -235,7 +170,7 @@ void name_settings(Report& report, const Judged& judged) {
   report.text(text + ".");
 }
 
-Sets constructed(const RivalPlaces& places) {
+Sets constructed(const RivalPlaces& places, Scoreboard& board) {
   Sets sets;
   struct Wanted {
     const char* shape;
@@ -257,13 +192,14 @@ Sets constructed(const RivalPlaces& places) {
                         read_truth(s.cloud, s.spacing, s.lattice),
                         mean_spacing(s)});
         ask_all(places, sets.back());
+        note_costs(sets.back(), board);
         drop_borders(sets.back(), s);
       }
   return sets;
 }
 
 /// The thesis's comparison with PCA, where it marks wide bands.
-void figure_34(Report& report, const RivalPlaces& places, const Judged& judged) {
+void figure_34(Report& report, const RivalPlaces& places, const Judged& judged, Scoreboard& board) {
   Sets sets;
   for (const double percent : {0.0, 1.2}) {
     SynthOptions options;
@@ -277,11 +213,11 @@ void figure_34(Report& report, const RivalPlaces& places, const Judged& judged) 
   }
   report.heading(3, "Figure 34: the thesis's cube with a hole, thin F1");
   report.text("Samples on the edges, noise in percent as in Table 2; the settings from above.");
-  add_table(report, sets, {"set", "noise %"}, Scoring::thin, judged);
+  enter(board, "Figure 34", add_table(report, sets, {"set", "noise %"}, Scoring::thin, judged));
 }
 
 void labelled(Report& report, const RivalPlaces& places, const fs::path& folder,
-              const Judged& judged) {
+              const Judged& judged, Scoreboard& board) {
   Sets sets;
   for (LabelledCloud& cloud : read_labelled(folder)) {
     const double spacing = detect(cloud.points).spacing;
@@ -293,16 +229,20 @@ void labelled(Report& report, const RivalPlaces& places, const fs::path& folder,
   }
   report.heading(3, "Labelled ABC clouds, " + folder.filename().string() + ": thin F1");
   report.text("With the one settings of the constructed shapes (as ours are its defaults):");
-  add_table(report, sets, {"cloud", "points"}, Scoring::thin, judged);
+  const std::string task = "Detection, ABC " + folder.filename().string();
+  enter(board, task + ", settings of the constructed sets",
+        add_table(report, sets, {"cloud", "points"}, Scoring::thin, judged));
   const Judged own = judge(sets, Scoring::thin);
   report.text("With the one setting that is best for these very clouds, by their labels:");
-  add_table(report, sets, {"cloud", "points"}, Scoring::thin, own);
+  enter(board, task + ", settings by their labels",
+        add_table(report, sets, {"cloud", "points"}, Scoring::thin, own));
   name_settings(report, own);
 }
 
 }  // namespace
 
-void rivals_detect(Report& report, const RivalPlaces& places, const fs::path& data) {
+void rivals_detect(Report& report, const RivalPlaces& places, const fs::path& data,
+                   Scoreboard& board) {
   report.heading(2, "Detection");
   report.text(
       "A rival gives every point a score; points over a limit are marked. Scales are in spacings "
@@ -314,17 +254,19 @@ void rivals_detect(Report& report, const RivalPlaces& places, const fs::path& da
       "open wedges do not count for anyone. 5000 points, seed 51. "
       "Scales tried: VCM 3 offset radii by 5 convolution radii, PCA 4 sizes of neighborhood and "
       "3 counts over 7 sizes, PCL 6 sizes, CloudCompare 4 radii; 57 limits each.");
-  const Sets sets = constructed(places);
+  const Sets sets = constructed(places, board);
   const Judged judged = judge(sets, Scoring::tolerant);
   name_settings(report, judged);
   report.text("Tolerant F1:");
-  add_table(report, sets, {"shape", "samples", "noise"}, Scoring::tolerant, judged);
+  enter(board, "Detection, constructed sets",
+        add_table(report, sets, {"shape", "samples", "noise"}, Scoring::tolerant, judged));
   report.text("Thin F1, the same settings:");
-  add_table(report, sets, {"shape", "samples", "noise"}, Scoring::thin, judged);
-  figure_34(report, places, judged);
+  enter(board, "Detection, constructed sets",
+        add_table(report, sets, {"shape", "samples", "noise"}, Scoring::thin, judged));
+  figure_34(report, places, judged, board);
   if (data.empty()) return;
   for (const char* folder : {"clean", "noisy"})
-    labelled(report, places, data / "abc" / folder, judged);
+    labelled(report, places, data / "abc" / folder, judged, board);
 }
 
 }  // namespace spigolo::bench

@@ -4,6 +4,8 @@
 // bench/rivals_smooth.cpp - projected points: how near to the true surface, how sharp
 #include <array>
 
+#include "meter.h"
+#include "plain_search.h"
 #include "sections.h"
 #include "smoothers.h"
 #include "spigolo/measure/distance.h"
@@ -12,6 +14,8 @@
 namespace spigolo::bench {
 namespace {
 
+constexpr const char* upsampling = "CGAL edge-aware upsampling";
+constexpr double upsampling_radii[] = {2, 3, 4};      // [mean spacings]
 constexpr double near_edge = 3;                       // [mean spacings]
 constexpr double normal_from = 0.1, normal_to = 1.5;  // [mean spacings] from the edge
 
@@ -68,13 +72,13 @@ class Judge {
 /// CGAL's edge-aware resampling makes new points, four times as many. gap: of the places on the
 /// true edge to the nearest of them, half of whose distance no resampling can avoid.
 std::optional<Quality> judge_upsampling(const RivalPlaces& places, const SmoothTask& task,
-                                        const Shape& shape) {
+                                        const Shape& shape, double radius) {
   const fs::path out = places.file("upsampled.xyz");
   fs::remove(out);
-  if (!task.oriented ||
-      !run_rival(places, {places.program("cgal_points"), "upsample",
-                          places.file("oriented.xyz").string(), out.string(), "25",
-                          number(3 * task.spacing, 12), std::to_string(4 * task.points.size())}))
+  if (!task.oriented || !run_rival(places, {places.program("cgal_points"), "upsample",
+                                            places.file("oriented.xyz").string(), out.string(),
+                                            "25", number(radius * task.spacing, 12),
+                                            std::to_string(4 * task.points.size())}))
     return std::nullopt;
   const auto rows = read_xyz(out);
   if (!rows || rows->points.empty()) return std::nullopt;
@@ -101,7 +105,7 @@ using Qualities = std::vector<std::optional<Quality>>;  // by variant
 struct Cell {
   std::string shape, noise;
   std::vector<Qualities> of;  // by smoother
-  std::optional<Quality> upsampled = {};
+  Qualities upsampled = {};   // by radius
 };
 
 SynthCloud cloud_of(const char* shape, Sampling sampling, double noise) {
@@ -110,17 +114,26 @@ SynthCloud cloud_of(const char* shape, Sampling sampling, double noise) {
 }
 
 Cell measure(const RivalPlaces& places, const std::vector<Smoother>& all, const SynthCloud& s,
-             double noise) {
+             double noise, Scoreboard& board) {
   const double spacing = mean_spacing(s);
   const SmoothTask task = prepare_task(places, s.cloud.points, edge_places(s.shape, spacing),
                                        spacing, 16 + static_cast<int>(64 * noise));
   const Judge judge(s);
   Cell cell{s.shape.name, number(noise, 2), {}};
-  cell.upsampled = judge_upsampling(places, task, s.shape);
+  const double search = search_seconds(task.points, 16);
+  const auto timed = [&](const std::string& name, const auto& run) {
+    const double start = children_seconds();
+    auto result = run();
+    if (result) board.add_cost(name, "1", children_seconds() - start, task.points.size(), search);
+    return result;
+  };
+  for (const double radius : upsampling_radii)
+    cell.upsampled.push_back(
+        timed(upsampling, [&] { return judge_upsampling(places, task, s.shape, radius); }));
   for (const Smoother& smoother : all) {
     cell.of.emplace_back();
     for (const SmoothVariant& variant : smoother.variants) {
-      const auto result = variant.run(places, task);
+      const auto result = timed(smoother.name, [&] { return variant.run(places, task); });
       cell.of.back().push_back(result ? std::optional(judge(task, *result)) : std::nullopt);
     }
   }
@@ -128,13 +141,13 @@ Cell measure(const RivalPlaces& places, const std::vector<Smoother>& all, const 
 }
 
 /// The variant with the smallest mean distance near edges over all cells it has answered.
-std::size_t one_for_all(const std::vector<Cell>& cells, std::size_t smoother,
-                        std::size_t variants) {
+/// of: what one program gave, cell by cell.
+std::size_t one_for_all(const std::vector<const Qualities*>& of) {
   std::size_t best = 0;
   double least = infinity;
-  for (std::size_t v = 0; v < variants; ++v) {
+  for (std::size_t v = 0; v < of[0]->size(); ++v) {
     double sum = 0;
-    for (const Cell& cell : cells) sum += cell.of[smoother][v] ? cell.of[smoother][v]->near : 10;
+    for (const Qualities* cell : of) sum += (*cell)[v] ? (*cell)[v]->near : 10;
     if (sum < least) least = sum, best = v;
   }
   return best;
@@ -144,39 +157,67 @@ std::vector<std::string> figures_of(const Quality& q) {
   return {number(q.rms, 3), number(q.near, 3), text(q.normal, 1), text(q.gap, 3), text(q.most, 2)};
 }
 
-std::vector<std::string> row_of(const Cell& cell, const Smoother& smoother, std::size_t index,
-                                std::size_t one) {
-  std::vector<std::string> row = {cell.shape, cell.noise, smoother.name,
-                                  smoother.variants[one].name};
-  const Qualities& all = cell.of[index];
-  if (!all[one]) {
+/// One program over all cells: the names of its settings, and what they gave.
+struct Contender {
+  std::string name;
+  std::vector<std::string> settings;
+  std::vector<const Qualities*> of;
+  std::size_t one = 0;
+};
+
+std::vector<Contender> contenders(const std::vector<Cell>& cells,
+                                  const std::vector<Smoother>& smoothers) {
+  std::vector<Contender> all;
+  for (std::size_t i = 0; i < smoothers.size(); ++i) {
+    all.push_back({smoothers[i].name, {}, {}});
+    for (const SmoothVariant& v : smoothers[i].variants) all.back().settings.push_back(v.name);
+    for (const Cell& cell : cells) all.back().of.push_back(&cell.of[i]);
+  }
+  all.push_back({upsampling, {}, {}});
+  for (const double radius : upsampling_radii)
+    all.back().settings.push_back("25 deg, radius " + number(radius) + ", x 4");
+  for (const Cell& cell : cells) all.back().of.push_back(&cell.upsampled);
+  for (Contender& c : all) c.one = one_for_all(c.of);
+  return all;
+}
+
+std::vector<std::string> row_of(const Cell& cell, const Contender& contender, std::size_t at) {
+  std::vector<std::string> row = {cell.shape, cell.noise, contender.name,
+                                  contender.settings[contender.one]};
+  const Qualities& all = *contender.of[at];
+  if (!all[contender.one]) {
     row.insert(row.end(), {"did not run", "", "", "", "", ""});
     return row;
   }
   double best = infinity;
   std::string best_name;
   for (std::size_t v = 0; v < all.size(); ++v)
-    if (all[v] && all[v]->near < best) best = all[v]->near, best_name = smoother.variants[v].name;
-  const std::vector<std::string> figures = figures_of(*all[one]);
+    if (all[v] && all[v]->near < best) best = all[v]->near, best_name = contender.settings[v];
+  const std::vector<std::string> figures = figures_of(*all[contender.one]);
   row.insert(row.end(), figures.begin(), figures.end());
   row.push_back(all.size() > 1 ? number(best, 3) + " (" + best_name + ")" : "");
   return row;
 }
 
-std::vector<std::string> upsampled_row(const Cell& cell) {
-  std::vector<std::string> row = {cell.shape, cell.noise, "CGAL edge-aware upsampling",
-                                  "25 deg, radius 3, x 4"};
-  const std::vector<std::string> figures =
-      cell.upsampled ? figures_of(*cell.upsampled)
-                     : std::vector<std::string>{"did not run", "", "", "", ""};
-  row.insert(row.end(), figures.begin(), figures.end());
-  row.emplace_back();
-  return row;
+Contest contest_of(const std::vector<Contender>& all, const char* score, double Quality::*field) {
+  Contest contest{"Smoothing", score, Better::lower};
+  for (std::size_t at = 0; at < all[0].of.size(); ++at) {
+    contest.sets.emplace_back();
+    for (const Contender& c : all) {
+      Entry entry{c.name};
+      const Qualities& of = *c.of[at];
+      if (of[c.one]) entry.one = (*of[c.one]).*field;
+      for (const auto& q : of)
+        if (q && !((*q).*field >= entry.best)) entry.best = (*q).*field;
+      contest.sets.back().push_back(entry);
+    }
+  }
+  return contest;
 }
 
 }  // namespace
 
-void rivals_smooth(Report& report, const RivalPlaces& places) {
+void rivals_smooth(Report& report, const RivalPlaces& places, Scoreboard& board) {
   report.heading(2, "Smoothing");
   report.text(
       "Every point projected; 8000 samples, seed 61, noise per axis in h, lengths in mean spacings "
@@ -190,19 +231,20 @@ void rivals_smooth(Report& report, const RivalPlaces& places) {
       "way. RIMLS (sharpness 0.75), APSS and bilateral (25 degrees) get normals by CGAL's PCA and "
       "spanning tree with k = 16 + 64 noise neighbors. Edge-aware upsampling makes new points: its "
       "rms is of all of them, its gap from the true edge to the nearest one.");
-  const std::vector<Smoother> all = smoothers();
+  const std::vector<Smoother> programs = smoothers();
   std::vector<Cell> cells;
   for (const auto& [shape, sampling] :
        {std::pair{"cylinder-hole", Sampling::blue}, std::pair{"l-prism", Sampling::blue},
         std::pair{"box", Sampling::random}})
     for (const double noise : {0.0, 0.25, 0.5})
-      cells.push_back(measure(places, all, cloud_of(shape, sampling, noise), noise));
+      cells.push_back(measure(places, programs, cloud_of(shape, sampling, noise), noise, board));
+  const std::vector<Contender> all = contenders(cells, programs);
+  board.add(contest_of(all, "rms near edges", &Quality::near));
+  board.add(contest_of(all, "rms of all points", &Quality::rms));
+  board.add(contest_of(all, "normal near edges [deg]", &Quality::normal));
   std::vector<std::vector<std::string>> rows;
-  for (const Cell& cell : cells) {
-    for (std::size_t i = 0; i < all.size(); ++i)
-      rows.push_back(row_of(cell, all[i], i, one_for_all(cells, i, all[i].variants.size())));
-    rows.push_back(upsampled_row(cell));
-  }
+  for (std::size_t at = 0; at < cells.size(); ++at)
+    for (const Contender& c : all) rows.push_back(row_of(cells[at], c, at));
   report.table({"shape", "noise", "program", "setting", "rms", "rms near edges", "normal [deg]",
                 "gap: mean", "largest", "its best near edges"},
                rows);

@@ -8,6 +8,7 @@
 
 #include "report.h"
 #include "rival.h"
+#include "scoreboard.h"
 
 namespace spigolo::bench {
 
@@ -47,10 +48,14 @@ void real_clouds(Report& report, const std::filesystem::path& data,
 /// Other programs, from where ./dev bench --peers puts them.
 void rivals_versions(Report& report, const RivalPlaces& places);
 /// data: folder with abc/clean and abc/noisy; may be empty.
-void rivals_detect(Report& report, const RivalPlaces& places, const std::filesystem::path& data);
+void rivals_detect(Report& report, const RivalPlaces& places, const std::filesystem::path& data,
+                   Scoreboard& board);
 void rivals_published(Report& report);
-void rivals_smooth(Report& report, const RivalPlaces& places);
-/// Close-ups of one edge go to `pictures`.
-void rivals_mesh(Report& report, const RivalPlaces& places, const std::filesystem::path& pictures);
+void rivals_smooth(Report& report, const RivalPlaces& places, Scoreboard& board);
+struct MeshPictures {
+  std::filesystem::path kept, all;  // one small close-up of one edge; one of each cloud
+};
+void rivals_mesh(Report& report, const RivalPlaces& places, const MeshPictures& pictures,
+                 Scoreboard& board);
 
 }  // namespace spigolo::bench

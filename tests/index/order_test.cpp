@@ -7,8 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
+#include "spigolo/core/error.h"
+#include "spigolo/index/noise.h"
 #include "spigolo/index/radix_sort.h"
 #include "spigolo/index/spacing.h"
 #include "support/clouds.h"
@@ -76,6 +79,49 @@ TEST(Order, CopiesAcrossRanges) {
   for (int copy = 0; copy < 3; ++copy) points.insert(points.end(), once.begin(), once.end());
   expect_canonical(points);
   EXPECT_EQ(order_cloud(points).duplicates, 3 * once.size());
+}
+
+// A square and, at its lower corner, points nearer to each other than coordinates from its middle
+// can tell.
+std::vector<Vec3> square_with_clump(double step) {
+  std::vector<Vec3> points = test::random_square(2000, 8);
+  Random random(9);
+  for (int i = 0; i < 200; ++i)
+    points.push_back({i * step, random.uniform() * step, 0});
+  return points;
+}
+
+TEST(Order, PlacesThatTheShiftMakesOneAreOne) {
+  const std::vector<Vec3> points = square_with_clump(1e-20);
+  const OrderedCloud cloud = order_cloud(points);
+  validate(cloud);
+  EXPECT_EQ(cloud.duplicates, 199u);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_TRUE(cloud.points[cloud.rank[i]] == points[i] - cloud.origin);
+}
+
+TEST(Order, SizesWithoutPowersAreRefused) {
+  for (const double scale : {1e-300, 1e-80, 1e80, 1e160, 1e308}) {
+    std::vector<Vec3> points = test::random_square(200, 9);
+    for (Vec3& p : points) p = p * scale;
+    EXPECT_THROW(order_cloud(points), NoResultError) << scale;
+  }
+  EXPECT_THROW(order_cloud(std::vector<Vec3>{{-1.7e308, 0, 0}, {1.7e308, 0, 0}}), NoResultError);
+  const std::vector<Vec3> one(3, Vec3{1e200, 0, 0});
+  EXPECT_EQ(order_cloud(one).size(), 1u);
+}
+
+TEST(Spacing, ClumpsWithoutSquaresHaveOne) {
+  std::vector<Vec3> points = square_with_clump(1e-170);
+  for (std::size_t i = 0; i < 2000; ++i) points.push_back(-points[i]);  // keeps the origin at 0
+  const OrderedCloud cloud = order_cloud(points);
+  ASSERT_TRUE(cloud.origin == Vec3{});
+  const KdTree tree(cloud);
+  const Neighborhoods neighborhoods = find_neighborhoods(tree, 20);
+  validate(neighborhoods, cloud.points);
+  const Spacing spacing = estimate_spacing(cloud.points, neighborhoods);
+  EXPECT_GT(*std::min_element(spacing.of_point.begin(), spacing.of_point.end()), 0);
+  EXPECT_TRUE(std::isfinite(estimate_noise(cloud.points, neighborhoods, spacing, tree)));
 }
 
 TEST(Spacing, MedianIsTheMiddleOne) {

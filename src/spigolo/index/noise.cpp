@@ -125,7 +125,8 @@ double noise_of_flattest_half(std::span<const Vec3> points, std::size_t i,
 
 double estimate_noise(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                       const Spacing& spacing, const KdTree& tree, const Job& job) {
-  if (neighborhoods.k < quadric_k || points.size() < 4 * quadric_k) return 0;
+  if (neighborhoods.k < quadric_k || points.size() < 4 * quadric_k || spacing.of_cloud == 0)
+    return 0;
   const std::vector<std::uint32_t> looks = sample_points(spacing, max_looks);
   const std::vector<std::uint32_t> few = sample_points(spacing, looks.size() / halves_share);
   std::vector<double> plane(looks.size()), quadric(looks.size()), half(few.size());

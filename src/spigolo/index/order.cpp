@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::size_t grain = 1 << 15;
 constexpr int bits_per_axis = 21;
+// Fourth powers of lengths, as fits sum them up, are still numbers.
+constexpr double smallest_size = 1e-70, largest_size = 1e70;
 
 // Two zero bits between the bits of a 21-bit number.
 std::uint64_t spread_bits(std::uint64_t v) {
@@ -29,13 +31,17 @@ std::uint64_t spread_bits(std::uint64_t v) {
   return v;
 }
 
+double largest_side(const Box& box) {
+  const Vec3 size = box.size();
+  return std::max({size.x, size.y, size.z});
+}
+
 // Cells of the bounding cube, the same for every axis so that scaling and shifting change nothing.
 // Half a cell is added: the middle of a symmetric shape then lies inside a cell, not on a border.
 class Curve {
  public:
   explicit Curve(const Box& box) : min_(box.min) {
-    const Vec3 size = box.size();
-    const double extent = std::max({size.x, size.y, size.z});
+    const double extent = largest_side(box);
     scale_ = extent > 0 ? ((1 << bits_per_axis) - 2) / extent : 0.0;
   }
   std::uint64_t code(const Vec3& p) const {
@@ -65,13 +71,21 @@ Box finite_box(std::span<const Vec3> points, const Job& job) {
   return all;
 }
 
+// The points of the input and where they are from the origin of the cloud. Places that differ by
+// less than that can hold are one.
+struct Shifted {
+  std::span<const Vec3> points;
+  Vec3 origin;
+
+  Vec3 at(const CodeKey& key) const { return points[key.index] - origin; }
+};
+
 // Sorts each run of keys that are alike in the sorted bits: by what is left of the code, then by
 // the coordinates; copies of a place in the order of the input.
-void sort_runs(std::vector<CodeKey>& keys, std::span<const Vec3> points, int sorted_from,
-               const Job& job) {
+void sort_runs(std::vector<CodeKey>& keys, const Shifted& cloud, int sorted_from, const Job& job) {
   const auto before = [&](const CodeKey& a, const CodeKey& b) {
     if (a.code != b.code) return a.code < b.code;
-    const Vec3 &p = points[a.index], &q = points[b.index];
+    const Vec3 p = cloud.at(a), q = cloud.at(b);
     return std::tuple(p.x, p.y, p.z, a.index) < std::tuple(q.x, q.y, q.z, b.index);
   };
   const auto run_of = [&](std::size_t i) { return keys[i].code >> sorted_from; };
@@ -96,7 +110,7 @@ void sort_runs(std::vector<CodeKey>& keys, std::span<const Vec3> points, int sor
 
 // The upper half of the bits tells most points of a surface apart. Where it does not, as in clumps
 // far from each other, the whole code is sorted by.
-void sort_keys(std::vector<CodeKey>& keys, std::span<const Vec3> points, const Job& job) {
+void sort_keys(std::vector<CodeKey>& keys, const Shifted& cloud, const Job& job) {
   constexpr int digits = 3 * bits_per_axis / radix_digit_bits + 1, upper_digits = digits / 2;
   constexpr int lowest = 3 * bits_per_axis - upper_digits * radix_digit_bits;
   radix_sort(keys, lowest, upper_digits, job);
@@ -105,11 +119,12 @@ void sort_keys(std::vector<CodeKey>& keys, std::span<const Vec3> points, const J
   });
   const bool enough = alike <= keys.size() / 2;
   if (!enough) radix_sort(keys, 0, digits, job);
-  sort_runs(keys, points, enough ? lowest : 0, job);
+  sort_runs(keys, cloud, enough ? lowest : 0, job);
 }
 
-std::vector<CodeKey> sorted_keys(std::span<const Vec3> points, const Box& box, const Job& job) {
+std::vector<CodeKey> sorted_keys(const Shifted& cloud, const Box& box, const Job& job) {
   const Curve curve(box);
+  const std::span<const Vec3> points = cloud.points;
   std::vector<CodeKey> keys = parallel_collect<CodeKey>(
       job, points.size(), grain, [&](std::size_t begin, std::size_t end, auto& found) {
         found.reserve(end - begin);
@@ -117,16 +132,16 @@ std::vector<CodeKey> sorted_keys(std::span<const Vec3> points, const Box& box, c
           if (is_finite(points[i]))
             found.push_back({curve.code(points[i]), static_cast<std::uint32_t>(i)});
       });
-  sort_keys(keys, points, job);
+  sort_keys(keys, cloud, job);
   return keys;
 }
 
 // Writes the places the keys name, repeated ones once.
-void place_points(std::span<const Vec3> points, std::span<const CodeKey> keys, OrderedCloud& cloud,
+void place_points(const Shifted& shifted, std::span<const CodeKey> keys, OrderedCloud& cloud,
                   const Job& job) {
   const auto is_new = [&](std::size_t i) {
     return i == 0 || keys[i].code != keys[i - 1].code ||
-           !(points[keys[i].index] == points[keys[i - 1].index]);
+           !(shifted.at(keys[i]) == shifted.at(keys[i - 1]));
   };
   std::vector<std::size_t> first((keys.size() + grain - 1) / grain);  // place of each range's first
   parallel_for(job, "", keys.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -140,12 +155,19 @@ void place_points(std::span<const Vec3> points, std::span<const CodeKey> keys, O
     std::size_t place = first[begin / grain];
     for (std::size_t i = begin; i < end; ++i) {
       if (is_new(i)) {
-        cloud.points[place] = points[keys[i].index] - cloud.origin;
+        cloud.points[place] = shifted.at(keys[i]);
         cloud.codes[place++] = keys[i].code;
       }
       cloud.rank[keys[i].index] = static_cast<std::uint32_t>(place - 1);
     }
   });
+}
+
+void check_size(const Box& box) {
+  const double size = largest_side(box);
+  if (size == 0 || (size >= smallest_size && size <= largest_size)) return;
+  throw NoResultError("the cloud is " + std::string(size < 1 ? "less than 1e-70" : "over 1e70") +
+                      " across, which cannot be computed with; give it in another unit");
 }
 
 }  // namespace
@@ -157,10 +179,12 @@ OrderedCloud order_cloud(std::span<const Vec3> points, const Job& job) {
         " points is beyond the 4 294 967 294 that one run can hold; cut it into tiles");
   OrderedCloud cloud;
   const Box box = finite_box(points, job);
+  check_size(box);
   cloud.origin = box.empty() ? Vec3{} : box.center();
   cloud.rank.assign(points.size(), no_point);
-  const std::vector<CodeKey> keys = sorted_keys(points, box, job);
-  place_points(points, keys, cloud, job);
+  const Shifted shifted{points, cloud.origin};
+  const std::vector<CodeKey> keys = sorted_keys(shifted, box, job);
+  place_points(shifted, keys, cloud, job);
   cloud.non_finite = points.size() - keys.size();
   cloud.duplicates = keys.size() - cloud.points.size();
   return cloud;

@@ -29,7 +29,8 @@ struct OrderedCloud {
   std::size_t size() const { return points.size(); }
 };
 
-/// Throws UsageError for more than 2^32 - 2 points.
+/// Throws UsageError for more than 2^32 - 2 points, NoResultError for a cloud so small or large
+/// (not 1e-70 to 1e70 across) that powers of its lengths are no numbers.
 OrderedCloud order_cloud(std::span<const Vec3> points, const Job& job = {});
 
 /// Throws Error unless codes ascend, points are finite and distinct, and every rank exists.

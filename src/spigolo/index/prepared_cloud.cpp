@@ -49,6 +49,8 @@ PreparedCloud prepare_cloud(std::span<const Vec3> points, std::size_t k, const J
   const KdTree tree(prepared.cloud);
   prepared.neighborhoods = find_neighborhoods(tree, std::max(k, noise_k), job);
   prepared.spacing = estimate_spacing(places, prepared.neighborhoods, job);
+  if (prepared.spacing.of_cloud == 0)
+    throw NoResultError("most points crowd in single places: there is no surface");
   prepared.noise = estimate_noise(places, prepared.neighborhoods, prepared.spacing, tree, job);
   return prepared;
 }

@@ -125,8 +125,10 @@ double RowSearch::from_candidates(std::size_t place, float& threshold, std::uint
 
 double RowSearch::alone(std::uint32_t point, std::uint32_t* row) {
   tree_.nearest(tree_.points()[point], k_ + 1, found_);
+  // Where squared distances vanish, the point itself need not be among the nearest.
+  std::uint32_t* const end = row + k_;
   for (const Neighbor& neighbor : found_)
-    if (neighbor.index != point) *row++ = neighbor.index;
+    if (neighbor.index != point && row != end) *row++ = neighbor.index;
   return std::sqrt(found_.back().squared_distance);
 }
 

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t spacing_k = 12;
 constexpr double line_reach = 0.62;  // [spacings] of both nearest neighbors on a scan line
+constexpr double clump = 1e-9;       // of the cloud's spacing: smaller ones are as good as none
 constexpr double line_cosine = 0.9;  // between the ways to them, at least
 constexpr std::size_t grain = 1 << 14;
 
@@ -60,6 +61,7 @@ Spacing estimate_spacing(std::span<const Vec3> points, const Neighborhoods& neig
     }
   });
   spacing.of_cloud = median(spacing.of_point);
+  for (double& s : spacing.of_point) s = std::max(s, clump * spacing.of_cloud);
   if (k < 2) return spacing;
   const std::size_t on_lines = parallel_count(job, points.size(), grain, [&](std::size_t i) {
     const auto row = neighborhoods.of(i);

@@ -56,8 +56,12 @@ void declare(CommandLine& line, MeshCommand& c) {
 }
 
 void check_door(MeshCommand& c) {
-  if (c.output != "-" && lower_extension(c.output) != ".glb")
-    file_format(c.output, FileUse::write_mesh);
+  const std::string ending = lower_extension(c.output);
+  const std::string known = known_endings(FileUse::write_mesh) + " .glb";
+  if (c.output != "-" && (ending.empty() || (known + " ").find(ending + " ") == std::string::npos))
+    throw UsageError(c.output + ": the name has " +
+                     (ending.empty() ? "no ending" : "the unknown ending " + ending) +
+                     "; meshes go to " + known);
   check_output(c.output, c.common);
   c.options.method = c.projection.smooth_method();
 }

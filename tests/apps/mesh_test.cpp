@@ -72,7 +72,15 @@ TEST_F(Mesh, edgesLookSharpInViewers) {
 TEST_F(Mesh, badOptionsAndCloudsWithoutASurface) {
   const std::string cube = cloud_file("cube.ply", small_cube());
   EXPECT_EQ(run_program({"mesh", cube, "-o", path("a.xyz")}).status, 2);
-  EXPECT_EQ(run_program({"mesh", cube, "-o", path("a.ply"), "--edge-length", "0"}).status, 2);
+  const std::vector<std::pair<std::string, std::string>> wrong = {
+      {"--edge-length", "0"},  {"--edge-length", "inf"}, {"--edge-length", "nan"},
+      {"--chord-error", "-1"}, {"--sensitivity", "1.5"}, {"--sensitivity", "nan"},
+      {"--smoothing", "1e9"}};
+  for (const auto& [option, value] : wrong)
+    EXPECT_EQ(run_program({"mesh", cube, "-o", path("a.ply"), option, value}).status, 2)
+        << option << " " << value;
+  const Outcome ending = run_program({"mesh", cube, "-o", path("a.png")});
+  EXPECT_NE(ending.err.find(".glb"), std::string::npos) << ending.err;
   PointCloud line;
   for (int i = 0; i < 100; ++i) line.points.push_back({0.1 * i, 0, 0});
   EXPECT_EQ(run_program({"mesh", cloud_file("line.ply", line), "-o", path("a.ply")}).status, 4);

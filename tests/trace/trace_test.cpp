@@ -141,6 +141,24 @@ TEST(Trace, noFeaturesAreAnEmptyNetwork) {
   EXPECT_EQ(traced.curve_of_point, std::vector<std::int32_t>(100, -1));
 }
 
+TEST(Trace, labelsOfPlacesThatAreNoneAreLeftOut) {
+  std::vector<Vec3> points = square_lattice(10);
+  Features features;
+  features.assign_surface(points.size());
+  for (std::size_t i = 0; i < 10; ++i) {
+    features.kind[i] = PointKind::edge;
+    features.strength[i] = 1;
+    features.crease_point[i] = points[i];
+  }
+  points[3].x = not_a_number;
+  points[5].z = infinity;
+  TraceOptions options;
+  options.spacing = 1;
+  const TracedFeatures traced = trace_features(points, features, options);
+  validate(traced.network);
+  EXPECT_EQ(traced.curve_of_point.size(), points.size());
+}
+
 TEST(Trace, refusesWhatDoesNotFit) {
   const std::vector<Vec3> points = square_lattice(10);
   Features features;

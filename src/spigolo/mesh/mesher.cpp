@@ -6,12 +6,12 @@
 #include "spigolo/mesh/mesher.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "spigolo/core/error.h"
+#include "spigolo/core/stopwatch.h"
 #include "spigolo/mesh/caps.h"
 #include "spigolo/mesh/flips.h"
 #include "spigolo/mesh/leftovers.h"
@@ -22,12 +22,6 @@
 
 namespace spigolo {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 constexpr double narrow_hole = 3;  // [edges] across; triangles from border to border will do
 constexpr int most_repairs = 8, closing_repairs = 2;
@@ -106,18 +100,23 @@ void drop_unused(SharpMesh& result) {
 
 }  // namespace
 
+void check_options(const MesherOptions& options) {
+  if (!(options.edge_length >= 0.3 && options.edge_length < infinity) ||
+      !(options.chord_error >= 0))
+    throw UsageError("the edge length of a mesh is at least 0.3 spacings, the chord error 0");
+}
+
 SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
                      const MesherOptions& options, const Job& job) {
-  if (!(options.edge_length >= 0.3) || !(options.chord_error >= 0))
-    throw UsageError("the edge length of a mesh is at least 0.3 spacings, the chord error 0");
+  check_options(options);
   if (!(surface.spacing > 0)) throw UsageError("the spacing of the points to mesh is not positive");
-  const auto start = Clock::now();
+  Stopwatch watch;
   SharpMesh result;
   const EdgeLength edge{surface.spacing * options.edge_length,
                         surface.spacing * options.chord_error};
   MeshSamples samples = choose_samples(surface, network, edge, job);
   if (samples.size() < 4) throw NoResultError("fewer than four points on a surface: no mesh");
-  result.seconds_samples = since(start);
+  result.seconds_total = result.seconds_samples = watch.lap();
   const double step = samples.step;
   find_surfaces(std::move(samples), surface, result, job);
   finish(step, options, result, job);
@@ -126,7 +125,7 @@ SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
       count_uncovered(surface, result.mesh.vertices.points, result.mesh.triangles, step);
   refuse_rubble(surface, result);
   drop_unused(result);
-  result.seconds_total = since(start);
+  result.seconds_total += watch.lap();
   return result;
 }
 

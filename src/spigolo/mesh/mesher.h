@@ -40,6 +40,9 @@ struct SharpMesh {
   double seconds_samples = 0, seconds_tetrahedra = 0, seconds_label = 0, seconds_total = 0;
 };
 
+/// Throws UsageError for an option out of range.
+void check_options(const MesherOptions& options);
+
 /// surface: about a spacing apart. network: the creases; where some are missing the mesh rounds
 /// them. Throws UsageError for options out of range, NoResultError if there is nothing to mesh,
 /// Cancelled.

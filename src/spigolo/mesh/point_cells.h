@@ -33,12 +33,17 @@ class PointCells {
   std::span<const Vec3> points() const { return points_; }
 
   /// Calls visit(i, squared distance) for the points within r of p, in an order that depends on the
-  /// points alone, until it returns true; says whether it did.
+  /// points alone, until it returns true; says whether it did. Takes no longer than all points do.
   template <class Visit>
   bool any_within(const Vec3& p, double r, const Visit& visit) const {
     const std::int64_t x0 = coordinate(p.x - r), x1 = coordinate(p.x + r);
     const std::int64_t y0 = coordinate(p.y - r), y1 = coordinate(p.y + r);
     const std::int64_t z0 = coordinate(p.z - r), z1 = coordinate(p.z + r);
+    const auto count = [](std::int64_t a, std::int64_t b) {
+      return static_cast<double>(b - a + 1);
+    };
+    const double cells = count(x0, x1) * count(y0, y1) * count(z0, z1);
+    if (cells > many && cells > static_cast<double>(points_.size())) return any(p, r, visit);
     for (std::int64_t x = x0; x <= x1; ++x)
       for (std::int64_t y = y0; y <= y1; ++y)
         for (std::int64_t z = z0; z <= z1; ++z)
@@ -54,6 +59,14 @@ class PointCells {
 
  private:
   static constexpr std::uint32_t none = 0xffffffffu;
+  static constexpr double many = 4096;  // cells; fewer cost less than to look at their number
+
+  template <class Visit>
+  bool any(const Vec3& p, double r, const Visit& visit) const {
+    for (std::uint32_t i = 0; i < points_.size(); ++i)
+      if (const double d = squared_distance(p, points_[i]); d <= r * r && visit(i, d)) return true;
+    return false;
+  }
 
   std::int64_t coordinate(double x) const {
     return static_cast<std::int64_t>(std::floor(x / cell_));

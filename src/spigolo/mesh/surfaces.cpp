@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <numeric>
 #include <set>
 #include <utility>
 
+#include "spigolo/core/stopwatch.h"
 #include "spigolo/mesh/delaunay.h"
 #include "spigolo/mesh/label.h"
 #include "spigolo/mesh/leftovers.h"
@@ -28,12 +28,6 @@ constexpr double least_jitter = 2;     // [grid units]
 constexpr int split_rounds = 4;
 constexpr int most_parts = 6;           // surfaces meshed apart
 constexpr std::size_t least_part = 24;  // triangles of a piece of a later one
-
-using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 struct Connected {
   Delaunay delaunay;
@@ -99,17 +93,16 @@ struct Lost {
 // supports.
 Part find_surface(MeshSamples samples, const SurfacePoints& surface, SharpMesh& result,
                   const Job& job) {
-  const auto start = Clock::now();
+  Stopwatch watch;
   Part part{std::move(samples), {}, {}};
   const Connected connected = connect_along_creases(part.samples, job);
   const Delaunay& delaunay = connected.delaunay;
-  const double until_connected = since(start);
-  result.seconds_tetrahedra += until_connected;
+  result.seconds_tetrahedra += watch.lap();
   part.sides = find_crease_sides(part.samples, surface, job);
   Labelling labels = label_tetrahedra(delaunay, part.samples, part.sides, job);
   recut_labels(delaunay, part.samples, part.sides, labels, job);
   refine_labels(delaunay, part.samples, part.sides, labels, job);
-  result.seconds_label += since(start) - until_connected;
+  result.seconds_label += watch.lap();
   part.triangles = boundary(delaunay, labels);
   trim_unsupported(part.triangles, part.samples, Openness(delaunay, part.samples, part.sides), {});
   const auto safe = [&](std::uint32_t v) { return connected.place(v); };

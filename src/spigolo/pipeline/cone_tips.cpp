@@ -135,10 +135,17 @@ bool is_plain(const Cone& cone, const std::vector<Vec3>& points, double noise) {
   return std::all_of(seen.begin(), seen.end(), [](bool s) { return s; });
 }
 
-std::vector<Vec3> around(std::span<const Vec3> points, const Vec3& place, double spacing) {
-  std::vector<Vec3> found;
+// Per place, what the points near it are from it [spacings].
+std::vector<std::vector<Vec3>> around(std::span<const Vec3> points, std::span<const Vec3> places,
+                                      double spacing) {
+  std::vector<std::vector<Vec3>> found(places.size());
+  PointCells cells(reach * spacing, places.size());
+  for (const Vec3& place : places) cells.insert(place);
   for (const Vec3& p : points)
-    if (distance(p, place) < reach * spacing) found.push_back((p - place) / spacing);
+    cells.any_within(p, reach * spacing, [&](std::uint32_t i, double) {
+      if (distance(p, places[i]) < reach * spacing) found[i].push_back((p - places[i]) / spacing);
+      return false;
+    });
   return found;
 }
 
@@ -176,15 +183,17 @@ std::vector<Vec3> find_cone_tips(std::span<const Vec3> points, const Features& f
         !any_near(named, p, same_tip * spacing))
       named.push_back(p);
   }
-  for (const Vec3& place : named)
-    if (const auto cone = fit_cone(around(points, place, spacing), noise))
-      tips.push_back(place + spacing * cone->apex);
+  const auto near_named = around(points, named, spacing);
+  for (std::size_t i = 0; i < named.size(); ++i)
+    if (const auto cone = fit_cone(near_named[i], noise))
+      tips.push_back(named[i] + spacing * cone->apex);
   if (noise > most_noise) return tips;
-  for (const Vec3& place : find_stray(points, features, network, spacing)) {
-    const std::vector<Vec3> near = around(points, place, spacing);
-    const auto cone = fit_cone(near, noise);
-    if (!cone || !is_plain(*cone, near, noise)) continue;
-    const Vec3 apex = place + spacing * cone->apex;
+  const std::vector<Vec3> stray = find_stray(points, features, network, spacing);
+  const auto near_stray = around(points, stray, spacing);
+  for (std::size_t i = 0; i < stray.size(); ++i) {
+    const auto cone = fit_cone(near_stray[i], noise);
+    if (!cone || !is_plain(*cone, near_stray[i], noise)) continue;
+    const Vec3 apex = stray[i] + spacing * cone->apex;
     if (!any_near(tips, apex, reach * spacing)) tips.push_back(apex);
   }
   return tips;

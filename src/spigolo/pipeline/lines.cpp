@@ -4,8 +4,9 @@
 // spigolo/pipeline/lines.cpp
 #include "spigolo/pipeline/lines.h"
 
-#include <chrono>
 #include <utility>
+
+#include "spigolo/core/stopwatch.h"
 
 namespace spigolo {
 namespace {
@@ -18,7 +19,7 @@ constexpr double gauss_map_scatter = 0.3;
 Lines find_lines(std::span<const Vec3> points, const LinesOptions& options, const Job& job) {
   Lines lines;
   lines.detection = detect(points, options.detect, job);
-  const auto start = std::chrono::steady_clock::now();
+  Stopwatch watch;
   TraceOptions trace;
   trace.spacing = lines.detection.spacing;
   trace.noise = lines.detection.noise;
@@ -28,8 +29,7 @@ Lines find_lines(std::span<const Vec3> points, const LinesOptions& options, cons
   lines.network = std::move(traced.network);
   lines.detection.features.curve = std::move(traced.curve_of_point);
   lines.tolerance = traced.tolerance;
-  lines.seconds_trace =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  lines.seconds_trace = watch.lap();
   return lines;
 }
 

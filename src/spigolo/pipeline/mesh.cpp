@@ -39,9 +39,6 @@ Features ordered_features(const SheetModel& model, const Features* given) {
   const OrderedCloud& cloud = model.prepared.cloud;
   for (Vec3& p : features.crease_point) p += cloud.origin;
   if (given == nullptr) return features;
-  if (given->size() != cloud.rank.size())
-    throw UsageError("there are labels for " + std::to_string(given->size()) +
-                     " points, but the cloud has " + std::to_string(cloud.rank.size()));
   for (std::size_t i = 0; i < given->size(); ++i) {
     const std::uint32_t r = cloud.rank[i];
     if (r == no_point) continue;
@@ -165,9 +162,21 @@ void warn(MeshedCloud& result) {
   say(check.crease_edges - check.crease_edges_kept, " crease edges are not edges of the mesh");
 }
 
+// What is out of range is told before the work begins.
+void check(std::span<const Vec3> points, const MeshOptions& options) {
+  settle(options.mls, 0);
+  check_options(options.mesher);
+  if (!(options.sensitivity >= 0 && options.sensitivity <= 1))
+    throw UsageError("sensitivity must be between 0 and 1");
+  if (options.features != nullptr && options.features->size() != points.size())
+    throw UsageError("there are labels for " + std::to_string(options.features->size()) +
+                     " points, but the cloud has " + std::to_string(points.size()));
+}
+
 }  // namespace
 
 MeshedCloud mesh_cloud(std::span<const Vec3> points, const MeshOptions& options, const Job& job) {
+  check(points, options);
   Stopwatch watch;
   MeshedCloud result;
   PreparedCloud prepared = prepare_cloud(points, prepared_k, job);

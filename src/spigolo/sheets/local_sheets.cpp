@@ -110,7 +110,7 @@ std::optional<Vec3> find_foot(const Sheet& sheet, const Vec3& query) {
     if (squared_distance(x, sheet.origin) > farthest * farthest * sheet.spacing * sheet.spacing)
       return std::nullopt;
   }
-  if (step > settled * sheet.spacing) return std::nullopt;
+  if (!(step <= settled * sheet.spacing)) return std::nullopt;
   return x;
 }
 

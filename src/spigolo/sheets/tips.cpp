@@ -161,7 +161,9 @@ std::vector<Tip> distinct_tips(const SheetCloud& cloud, const SheetTolerances& t
                                                }
                                              });
   std::vector<Tip> tips;
-  for (const Found& f : found) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (i % grain == 0) job.check();
+    const Found& f = found[i];
     const double s = cloud.spacing.of_point[f.from];
     const bool known = std::any_of(tips.begin(), tips.end(), [&](const Tip& tip) {
       return distance(tip.point, cloud.points[f.from]) < 2 * first_reach * s;

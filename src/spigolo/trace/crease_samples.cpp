@@ -107,7 +107,7 @@ CreaseSamples gather_samples(std::span<const Vec3> points, const Features& featu
   std::vector<std::uint32_t> chosen;
   std::vector<Vec3> places;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (!is_finite(features.crease_point[i])) continue;
+    if (!is_finite(features.crease_point[i]) || !is_finite(points[i])) continue;
     chosen.push_back(i);
     places.push_back(points[i]);
   }

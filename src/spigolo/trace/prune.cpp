@@ -79,14 +79,15 @@ void drop_doubles(RawNetwork& network, double near) {
 // Short curves with two free ends that lie along another one, as pieces of it that strayed do.
 void drop_companions(RawNetwork& network, double least, double near) {
   std::vector<std::size_t> gone;
+  std::vector<double> length;
+  for (const RawCurve& curve : network.curves) length.push_back(curve.chain.length());
   for (std::size_t c = 0; c < network.curves.size(); ++c) {
     const RawCurve& curve = network.curves[c];
-    if (!free_end(curve, 0) || !free_end(curve, 1) || curve.chain.length() > companion * least)
-      continue;
+    if (!free_end(curve, 0) || !free_end(curve, 1) || length[c] > companion * least) continue;
     const Vec3& place = curve.chain.places.front();
     for (std::size_t o = 0; o < network.curves.size(); ++o) {
       const RawCurve& other = network.curves[o];
-      if (o == c || other.chain.length() < curve.chain.length()) continue;
+      if (o == c || length[o] < length[c]) continue;
       if (!in_box(other, place, least) || !runs_along(curve, other, network, near)) continue;
       gone.push_back(c);
       break;
@@ -137,28 +138,32 @@ void merge(RawNetwork& network, std::pair<std::size_t, std::size_t> a,
   second.chain.places.clear();
 }
 
-// Junctions of one end are none; those of two ends that go on smoothly are taken out. True if
-// anything changed.
+// Junctions of one end are none; those of two ends that go on smoothly are taken out, of each curve
+// one at a time. True if anything changed.
 bool mend(RawNetwork& network) {
   const EndsAt ends = ends_at_junctions(network);
+  std::vector<char> merged(network.curves.size(), 0);
   bool changed = false;
   for (std::size_t j = 0; j < ends.size(); ++j) {
     if (ends[j].size() == 1) {
       const auto [c, side] = ends[j].front();
+      if (merged[c]) continue;  // its sides are others now
       network.curves[c].junction[side] = no_junction;
       changed = true;
     } else if (ends[j].size() == 2) {
       const auto a = ends[j][0], b = ends[j][1];
+      if (merged[a.first] || merged[b.first]) continue;
       const RawCurve &first = network.curves[a.first], &second = network.curves[b.first];
       if (first.chain.places.size() < 2 || second.chain.places.size() < 2) continue;
       const Vec3 in_a = into(first, a.second, network.junctions[j]);
       const Vec3 in_b = into(second, b.second, network.junctions[j]);
       if (angle_between(in_a, -in_b) > smooth_turn) continue;
       merge(network, a, b);
-      std::erase_if(network.curves, [](const RawCurve& c) { return c.chain.places.empty(); });
-      return true;  // the numbers of curves have changed
+      merged[a.first] = merged[b.first] = 1;
+      changed = true;
     }
   }
+  std::erase_if(network.curves, [](const RawCurve& c) { return c.chain.places.empty(); });
   return changed;
 }
 
@@ -181,8 +186,8 @@ void renumber(RawNetwork& network) {
 }  // namespace
 
 RawNetwork prune(RawNetwork network, double least) {
-  bool changed = true;
-  for (int round = 0; changed && round < 1000; ++round) {
+  bool changed = true;  // each change leaves fewer curves or fewer ends at junctions
+  for (int round = 0; changed; ++round) {
     const std::size_t before = network.curves.size();
     std::erase_if(network.curves, [&](const RawCurve& c) { return spur(c, least); });
     drop_doubles(network, least / 4);

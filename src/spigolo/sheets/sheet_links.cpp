@@ -17,13 +17,17 @@ constexpr std::size_t linked = 8;                     // neighbors each point is
 constexpr double nearly_equal = 0.999, alike = 0.98;  // cosines
 constexpr int classes = 3;
 constexpr std::size_t grain = 1024;
-constexpr std::uint32_t block = 1 << 15;  // points joined by one thread
+constexpr std::uint32_t block = 1 << 15;  // points joined by one thread: some grains
 constexpr std::size_t rim = 12;           // neighbors that the spacing of a point is measured by
 
 // One byte a neighbor: 0 none, else 1 + 2 * class + whether the normals look to opposite sides.
 struct LinkBytes {
   std::size_t k;
   std::vector<std::uint8_t> byte;
+  // Of each grain of points: bit c: there are links of class c; bit `out`: some leave the block.
+  // Most clouds have few of the weaker classes, and few leave: the rest need not be looked through.
+  std::vector<std::uint8_t> kinds;
+  static constexpr int out = classes;
 
   static bool differ(std::uint8_t b) { return (b - 1) & 1; }
   static int class_of(std::uint8_t b) { return (b - 1) / 2; }
@@ -34,12 +38,14 @@ double farthest_fitted(const Sheet& s) {
   return s.deviation * std::sqrt(static_cast<double>(s.support));
 }
 
-// The square of a distance within which all points are close to the sheet of i, since it was fitted
-// to all of them: what is closer than a neighbor it was fitted to, by the formula of
-// estimate_spacing. 0 if that cannot be said.
-double surely_near2(const SheetCloud& cloud, std::size_t i, double near) {
-  const Sheet& sheet = cloud.sheets[i];
-  if (!sheet.whole || farthest_fitted(sheet) > near) return 0;
+// Whether all points the sheet of i was fitted to are close to it: all its neighbors.
+bool fits_closely(const SheetCloud& cloud, std::size_t i, double near) {
+  return cloud.sheets[i].whole && farthest_fitted(cloud.sheets[i]) <= near;
+}
+
+// The square of a distance within which all points are neighbors, by the formula of
+// estimate_spacing.
+double surely_neighbors2(const SheetCloud& cloud, std::size_t i) {
   const auto k = static_cast<double>(std::min(rim, cloud.neighborhoods.k));
   return cloud.spacing.of_point[i] * cloud.spacing.of_point[i] * (k + 0.5) / pi * (1 - 1e-9);
 }
@@ -50,26 +56,33 @@ bool is_near(const SheetCloud& cloud, std::size_t sheet, std::size_t point, doub
 
 LinkBytes find_links(const SheetCloud& cloud, std::span<const Vec3> normal, double near,
                      const Job& job) {
-  LinkBytes links{std::min(linked, cloud.neighborhoods.k), {}};
+  LinkBytes links{std::min(linked, cloud.neighborhoods.k), {}, {}};
   links.byte.resize(cloud.size() * links.k);
-  std::vector<double> sure2(cloud.size());
+  links.kinds.resize((cloud.size() + grain - 1) / grain);
+  std::vector<char> close(cloud.size());
   parallel_for(job, "", cloud.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) sure2[i] = surely_near2(cloud, i, near);
+    for (std::size_t i = begin; i < end; ++i) close[i] = fits_closely(cloud, i, near);
   });
+  const auto passes = [&](std::size_t sheet, std::size_t point, double away2) {
+    return (close[sheet] && away2 < surely_neighbors2(cloud, sheet)) ||
+           is_near(cloud, sheet, point, near);
+  };
   parallel_for(job, "", cloud.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::uint8_t kinds = 0;
     for (std::size_t i = begin; i < end; ++i) {
       const auto row = cloud.neighborhoods.of(i);
       for (std::size_t t = 0; t < links.k; ++t) {
         const double cosine = dot(normal[i], normal[row[t]]), size = std::abs(cosine);
         if (size < one_sheet_cosine) continue;
         const double away2 = squared_distance(cloud.points[i], cloud.points[row[t]]);
-        if ((away2 >= sure2[i] && !is_near(cloud, i, row[t], near)) ||
-            (away2 >= sure2[row[t]] && !is_near(cloud, row[t], i, near)))
-          continue;
+        if (!passes(i, row[t], away2) || !passes(row[t], i, away2)) continue;
         const int of_class = size > nearly_equal ? 0 : size > alike ? 1 : 2;
         links.byte[i * links.k + t] = static_cast<std::uint8_t>(1 + 2 * of_class + (cosine < 0));
+        const bool leaves = row[t] / block != i / block;
+        kinds |= static_cast<std::uint8_t>(1 << of_class | leaves << LinkBytes::out);
       }
     }
+    links.kinds[begin / grain] |= kinds;
   });
   return links;
 }
@@ -80,8 +93,13 @@ enum class Which { inside, leaving, both };
 
 bool join(const SheetCloud& cloud, const LinkBytes& links, int of_class, Which which,
           std::uint32_t begin, std::uint32_t end, ParitySets& sets) {
+  const int asked = 1 << of_class | (which == Which::leaving ? 1 << LinkBytes::out : 0);
   bool consistent = true;
   for (std::uint32_t i = begin; i < end; ++i) {
+    if ((links.kinds[i / grain] & asked) != asked) {
+      i = static_cast<std::uint32_t>((i / grain + 1) * grain - 1);  // on to the next grain
+      continue;
+    }
     const auto row = cloud.neighborhoods.of(i);
     for (std::size_t t = 0; t < links.k; ++t) {
       const std::uint8_t link = links.byte[i * links.k + t];

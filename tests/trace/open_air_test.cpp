@@ -65,6 +65,25 @@ TEST(OpenAir, TheEndWithACornerKeepsIt) {
   EXPECT_EQ(ends, 3);
 }
 
+// The mouth of a narrow slot, with corners on both sides that cut the chain across it.
+TEST(OpenAir, APieceFromWallToWallGoes) {
+  for (const bool open : {true, false}) {
+    const Survey survey(sheet(10, open ? 12 : 10), CreaseSamples{}, 0, {});
+    RawNetwork network;
+    network.junctions = {{10, 0, 0}, {12, 0, 0}};
+    RawCurve first, piece, last;
+    for (double x = 0; x < 10; ++x) first.chain.places.push_back({x, 0, 0});
+    for (double x = 13; x < 30; ++x) last.chain.places.push_back({x, 0, 0});
+    piece.chain.places.push_back({11, 0, 0});
+    first.junction[1] = piece.junction[0] = 0;
+    piece.junction[1] = last.junction[0] = 1;
+    first.cut = piece.cut = last.cut = true;
+    network.curves = {first, piece, last};
+    cut_open_air(network, survey, 0);
+    EXPECT_EQ(network.curves.size(), open ? 2U : 3U);
+  }
+}
+
 // The mouth of a hole that opens into a slot: three quarters of a circle.
 TEST(OpenAir, AClosedRimOpensWhereTheSlotIs) {
   constexpr double radius = 3;

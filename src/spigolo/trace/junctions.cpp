@@ -17,12 +17,14 @@ constexpr double plain_reach = 3.5;   // the same where only two ends meet
 constexpr double overshoot = 2;       // [spacings] a chain may run past its junction
 constexpr double one_place = 0.8;     // [spacings] junctions closer than this are one
 constexpr double hint_reach = 1;      // [spacings] hints of one corner lie that close
+constexpr double at_hand = 1.5;       // [spacings] an end that near to a place is there
 constexpr double smooth_turn = 0.45;  // [rad] two ends that turn less go on, they do not meet
 
 struct Candidate {
   Vec3 place;
   bool hinted = false;
-  std::vector<std::size_t> ends;  // that pass it
+  std::vector<std::size_t> ends;  // that pass it ...
+  std::vector<double> u;          // ... and how far they have to go
   double cost = 0;                // how far they have to go and how far off they pass
 };
 
@@ -55,7 +57,7 @@ class JunctionFinder {
       : ends_(ends), scatter_(scatter), grid_(places_of(ends), reach) {}
 
   void add_hints(std::span<const Vec3> hints) {
-    for (const Vec3& place : hint_places(hints)) add({place, true, {}, 0});
+    for (const Vec3& place : hint_places(hints)) add({place, true, {}, {}, 0});
   }
 
   void add_meetings() {
@@ -65,7 +67,7 @@ class JunctionFinder {
         const auto m = meeting(ends_[a], ends_[b]);
         if (!m || !in_reach(m->u) || !in_reach(m->v)) return;
         if (m->gap <= meeting_tolerance(m->u, scatter_) + meeting_tolerance(m->v, scatter_))
-          add({m->place, false, {}, 0});
+          add({m->place, false, {}, {}, 0});
       });
   }
 
@@ -75,6 +77,7 @@ class JunctionFinder {
       const auto votes = [](const Candidate& c) { return 2 * c.ends.size() + c.hinted; };
       return votes(a) != votes(b) ? votes(a) > votes(b) : a.cost < b.cost;
     });
+    find_stops();
     for (std::size_t wanted = most_ends(); wanted >= 2; --wanted)
       for (const Candidate& candidate : candidates_)
         if (candidate.ends.size() >= wanted) try_place(candidate, wanted, sure);
@@ -97,6 +100,7 @@ class JunctionFinder {
       const Passing p = passing(ends_[e], candidate.place);
       if (!in_reach(p.u) || p.distance > meeting_tolerance(p.u, scatter_)) continue;
       candidate.ends.push_back(e);
+      candidate.u.push_back(p.u);
       candidate.cost += std::abs(p.u) + 4 * p.distance;
     }
     if (candidate.ends.size() >= 2) candidates_.push_back(std::move(candidate));
@@ -106,6 +110,19 @@ class JunctionFinder {
     std::size_t most = 0;
     for (const Candidate& c : candidates_) most = std::max(most, c.ends.size());
     return most;
+  }
+
+  // Of each end, how far it goes to the first place that two others have all but come to: the
+  // corner at this side of a slot's mouth, not the one at the other side.
+  void find_stops() {
+    stop_.assign(ends_.size(), infinity);
+    for (const Candidate& c : candidates_) {
+      const auto there =
+          std::count_if(c.u.begin(), c.u.end(), [](double u) { return u < at_hand; });
+      for (std::size_t i = 0; i < c.ends.size(); ++i)
+        if (there - (c.u[i] < at_hand ? 1 : 0) >= 2)
+          stop_[c.ends[i]] = std::min(stop_[c.ends[i]], c.u[i]);
+    }
   }
 
   int known_junction(const Vec3& place) const {
@@ -123,8 +140,10 @@ class JunctionFinder {
 
   void try_place(const Candidate& candidate, std::size_t wanted, bool sure) {
     std::vector<std::size_t> free;
-    std::copy_if(candidate.ends.begin(), candidate.ends.end(), std::back_inserter(free),
-                 [&](std::size_t e) { return ends_[e].junction == no_junction; });
+    for (std::size_t i = 0; i < candidate.ends.size(); ++i)
+      if (ends_[candidate.ends[i]].junction == no_junction &&
+          candidate.u[i] <= stop_[candidate.ends[i]] + one_place + scatter_)
+        free.push_back(candidate.ends[i]);
     if (free.empty()) return;
     int junction = known_junction(candidate.place);
     if (junction == no_junction) {
@@ -142,6 +161,7 @@ class JunctionFinder {
   PlaceGrid grid_;
   std::vector<Candidate> candidates_;
   std::vector<Vec3> junctions_;
+  std::vector<double> stop_;  // per end
 };
 
 }  // namespace

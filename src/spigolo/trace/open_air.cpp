@@ -16,9 +16,13 @@ constexpr double barest = 1.75;  // [spacings] ... but not this, in the middle o
 constexpr double least_air = 2;  // [spacings] ... a stretch so long: chance 1e-5 for random samples
 constexpr double close = 0.8;    // [spacings] to a point beside the ends that are left
 constexpr double by_noise = 2;   // [noise] more
-constexpr double look_step = 0.25;   // [spacings] along a curve
-constexpr double least_apart = 0.3;  // [spacings] places of a guide
-constexpr double least_arc = 4;      // [spacings] of a rim that is left
+constexpr double widest_mouth = 6;       // [spacings] of a slot that a chain may have led across
+constexpr double narrowest_mouth = 1.2;  // [spacings] between its walls, which are ...
+constexpr double wall = 0.3;             // [spacings] ... so thick
+constexpr double beside_mouth = 1.5;  // [spacings] round the chain: sheets of a crease have points
+constexpr double look_step = 0.25;    // [spacings] along a curve
+constexpr double least_apart = 0.3;   // [spacings] places of a guide
+constexpr double least_arc = 4;       // [spacings] of a rim that is left
 
 // From one arc length of a guide to another; round the seam of a closed one if `to` is past it.
 struct Stretch {
@@ -126,6 +130,18 @@ CurveDraft piece_of(const CurveDraft& draft, const Stretch& s,
   return piece;
 }
 
+// The piece of a chain that led from one corner of a slot's mouth to the other: nothing between.
+bool spans_a_mouth(const RawCurve& curve, const Guide& guide, const Survey& survey) {
+  const double half = guide.length() / 2 - wall - by_noise * survey.noise();
+  if (!curve.cut || curve.junction[0] == no_junction || curve.junction[1] == no_junction ||
+      guide.length() > widest_mouth || half < narrowest_mouth / 2)
+    return false;
+  const Vec3 middle = guide.at(guide.length() / 2), t = guide.direction(guide.length() / 2);
+  const auto near = survey.points_near(middle, std::hypot(beside_mouth, half));
+  return std::none_of(near.begin(), near.end(),
+                      [&](const Vec3& p) { return std::abs(dot(p - middle, t)) < half; });
+}
+
 }  // namespace
 
 void cut_open_air(RawNetwork& network, const Survey& survey, double scatter) {
@@ -133,6 +149,10 @@ void cut_open_air(RawNetwork& network, const Survey& survey, double scatter) {
   bool cut = false;
   for (RawCurve& curve : network.curves) {
     const Guide guide = guide_of(curve, network.junctions);
+    if (spans_a_mouth(curve, guide, survey)) {
+      cut = true;
+      continue;
+    }
     const std::vector<Stretch> air = air_along(guide, survey);
     cut |= !air.empty();
     if (air.empty())

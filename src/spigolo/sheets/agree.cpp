@@ -10,7 +10,6 @@
 #include <cmath>
 
 #include "spigolo/core/parallel.h"
-#include "spigolo/sheets/passing.h"
 
 namespace spigolo {
 namespace {
@@ -21,9 +20,8 @@ constexpr double longest = 3;           // [spacings] a crease is straight so fa
 constexpr double spread = 0.8;          // [spacings] creases this close may be one
 constexpr std::size_t least_votes = 5;  // of them, to be believed
 constexpr double parallel = 0.85;       // cosine of directions that agree
+constexpr double farthest = 2;          // [spacings] of a crease that may still pass the point
 constexpr double against = 0.7;         // of a vote: what one for a bend counts
-constexpr double near = 0.6;            // [spacings] a crease this close passes a place
-constexpr double probable = 0.27;       // so likely, it is said to
 
 struct Vote {
   Vec3 foot;  // point of the neighbor's crease beside the asking point
@@ -77,7 +75,7 @@ SheetVerdict mean_of(std::span<const Vote> votes) {
 }
 
 SheetVerdict ask(std::span<const Vec3> points, std::span<const std::uint32_t> neighbors,
-                 const VerdictRows& proposals, std::uint32_t i, double spacing, double noise) {
+                 const VerdictRows& proposals, std::uint32_t i, double spacing) {
   const SheetVerdict& own = proposals[i];
   if (own.kind == PointKind::corner || own.kind == PointKind::border) return own;
   std::array<Vote, asked + 1> heard;
@@ -99,22 +97,20 @@ SheetVerdict ask(std::span<const Vec3> points, std::span<const std::uint32_t> ne
       static_cast<double>(group.size()) < against * static_cast<double>(bends))
     return {};
   const SheetVerdict mean = mean_of(group);
-  return passing_probability(mean, points[i], spacing, near, noise) < probable ? SheetVerdict{}
-                                                                               : mean;
+  return distance(points[i], mean.crease_point) > farthest * spacing ? SheetVerdict{} : mean;
 }
 
 }  // namespace
 
 VerdictRows agree_on_creases(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-                             const Spacing& spacing, const VerdictRows& proposals, double noise,
-                             const Job& job) {
+                             const Spacing& spacing, const VerdictRows& proposals, const Job& job) {
   return {points.size(),
           parallel_collect<FoundVerdict>(
               job, points.size(), grain, [&](std::size_t begin, std::size_t end, auto& agreed) {
                 for (std::size_t i = begin; i < end; ++i) {
                   const auto place = static_cast<std::uint32_t>(i);
-                  const SheetVerdict verdict = ask(points, neighborhoods.of(i), proposals, place,
-                                                   spacing.of_point[i], noise);
+                  const SheetVerdict verdict =
+                      ask(points, neighborhoods.of(i), proposals, place, spacing.of_point[i]);
                   if (!verdict.says_nothing()) agreed.emplace_back(place, verdict);
                 }
               })};

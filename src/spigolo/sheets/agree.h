@@ -15,12 +15,12 @@ namespace spigolo {
 
 /// Each edge among `proposals` stands for a piece of straight crease, however far from its point.
 /// Every point takes the mean of those in its neighborhood that pass close to each other, if
-/// enough of them agree and outnumber the bends, and is on an edge if it is likely enough that this
-/// mean passes the place it was sampled at (passing_probability, with `noise` [spacings]): chance
-/// hits go, gaps close, the position becomes as certain as several fits. Corners and borders stay.
-/// All from one snapshot.
+/// enough of them agree and outnumber the bends: the position becomes as certain as several fits.
+/// How near that comes to the point, within two spacings, is asked later
+/// (drop_passed_by). Corners and borders stay. All
+/// from one snapshot.
 VerdictRows agree_on_creases(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
-                             const Spacing& spacing, const VerdictRows& proposals, double noise,
+                             const Spacing& spacing, const VerdictRows& proposals,
                              const Job& job = {});
 
 }  // namespace spigolo

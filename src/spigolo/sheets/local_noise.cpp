@@ -25,7 +25,10 @@ constexpr double exact = 0.02;         // [spacings] less noise is as good as no
 constexpr double constructed = 0.001;  // [spacings] no scanner's: what scatters is structure
 constexpr double uneven = 3;           // ratio of the noisiest tenth to the quietest
 constexpr double level_step = 2;       // ratio of neighboring levels
-constexpr double tenth = 0.1;
+constexpr double tenth = 0.1, hundredth = 0.01;
+// Noise taken for too little makes edges, for too much hides a few: the limit between two levels
+// lies nearer to the lower one (as a share of the way, by ratio).
+constexpr double rather_up = 0.3;
 
 double quantile(std::vector<double>& values, double share) {
   const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -103,8 +106,9 @@ std::vector<double> noise_levels(const std::vector<double>& local, double of_clo
   const double quiet = quantile(sorted, tenth), loud = quantile(sorted, 1 - tenth);
   const double low = std::max(quiet, exact), high = std::max(loud, exact);
   if (quiet < constructed || high < uneven * low) return {of_cloud};
+  const double loudest = quantile(sorted, 1 - hundredth);
   std::vector<double> levels;
-  for (double noise = low; noise < high * std::sqrt(level_step); noise *= level_step)
+  for (double noise = low; noise < loudest * std::sqrt(level_step); noise *= level_step)
     levels.push_back(noise);
   return levels;
 }
@@ -112,7 +116,7 @@ std::vector<double> noise_levels(const std::vector<double>& local, double of_clo
 std::size_t nearest_level(const std::vector<double>& levels, double noise) {
   std::size_t best = 0;
   for (std::size_t l = 1; l < levels.size(); ++l)
-    if (noise > std::sqrt(levels[l - 1] * levels[l])) best = l;
+    if (noise > std::pow(levels[l - 1], 1 - rather_up) * std::pow(levels[l], rather_up)) best = l;
   return best;
 }
 

@@ -24,7 +24,7 @@ std::vector<double> noise_levels(const std::vector<double>& local, double of_clo
 /// points have so little noise that it may count as none. false may mean either.
 bool is_quiet(const SheetCloud& cloud, const Job& job = {});
 
-/// Which of the levels (at least one, ascending) is nearest to a noise, by ratio.
+/// Which of the levels (at least one, ascending) a noise is treated by: about the nearest by ratio.
 std::size_t nearest_level(const std::vector<double>& levels, double noise);
 
 }  // namespace spigolo

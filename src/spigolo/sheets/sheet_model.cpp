@@ -16,6 +16,7 @@
 #include "spigolo/sheets/joints.h"
 #include "spigolo/sheets/local_noise.h"
 #include "spigolo/sheets/meeting.h"
+#include "spigolo/sheets/passing.h"
 #include "spigolo/sheets/placed.h"
 #include "spigolo/sheets/refine.h"
 #include "spigolo/sheets/strength.h"
@@ -57,15 +58,22 @@ void judge_all(SheetModel& model, const SheetOptions& options, const Job& job) {
   const bool exact = model.tolerances.exact();
   model.verdicts = judge_points(points, p.neighborhoods, model.own, model.tolerances, options, job);
   const auto agree = [&] {
-    model.verdicts =
-        agree_on_creases(points, p.neighborhoods, p.spacing, model.verdicts, noise, job);
+    model.verdicts = agree_on_creases(points, p.neighborhoods, p.spacing, model.verdicts, job);
+  };
+  const auto keep = [&](const SamplePlaces& places) {
+    model.verdicts = drop_passed_by(points, p.spacing, places, noise, model.verdicts, job);
   };
   if (!exact) {
     propose_folds(model, options, job);
     agree();
+    keep({});
     refine_creases(model, options, job);
     agree();
+    const SamplePlaces places =
+        find_sample_places(points, p.neighborhoods, p.spacing, model.verdicts, noise);
+    keep({.near = places.near});
     drop_short_chains(points, p.neighborhoods, p.spacing, noise, model.verdicts, job);
+    if (places.on_creases) keep(places);
     join_creases(points, p.neighborhoods, p.spacing, model.verdicts, job);
   }
   const SheetCloud cloud{points, p.neighborhoods, p.spacing, model.own};
@@ -82,8 +90,8 @@ void find_sheets(SheetModel& model, double noise, const Job& job) {
   model.own = find_own_sheets(p.cloud.points, p.neighborhoods, p.spacing, model.tolerances, job);
 }
 
-// Noise that differs over the cloud: each level judges all points, each point takes the verdict of
-// the level its own noise is nearest to.
+// Noise that differs over the cloud: each level judges all points, each point takes the verdict
+// of the level its own noise is nearest to.
 void judge_by_levels(SheetModel& model, const std::vector<double>& local,
                      const std::vector<double>& levels, const SheetOptions& options,
                      const Job& job) {

@@ -8,6 +8,7 @@
 
 #include "spigolo/core/parity_sets.h"
 #include "spigolo/mesh/flips.h"
+#include "spigolo/mesh/handles.h"
 #include "spigolo/mesh/separate.h"
 #include "support/mesh_shapes.h"
 
@@ -39,6 +40,30 @@ TEST(Holes, AFillingThatRunsIntoTheMeshGoes) {
   const std::vector<Triangle> before = mesh.triangles;
   EXPECT_EQ(fill_holes(mesh.triangles, mesh.vertices.points, 1), 0U);
   EXPECT_EQ(mesh.triangles, before);
+}
+
+// A ball with two of its triangles joined by a tube.
+TEST(Handles, ATunnelThreeEdgesAroundGoes) {
+  TriangleMesh mesh = ball(16, 9);
+  std::vector<Triangle>& triangles = mesh.triangles;
+  const std::vector<Triangle> whole = triangles;
+  EXPECT_EQ(cut_handles(triangles, mesh.vertices.size()), 0U);
+  EXPECT_EQ(triangles, whole);
+  const auto [a, b, c] = triangles[60];
+  const auto [x, y, z] = triangles[170];
+  triangles.erase(triangles.begin() + 170);
+  triangles.erase(triangles.begin() + 60);
+  for (const Triangle& t :
+       {Triangle{a, b, z}, {a, z, x}, {b, c, y}, {b, y, z}, {c, a, x}, {c, x, y}})
+    triangles.push_back(t);
+  ASSERT_TRUE(check_mesh(mesh).closed() && check_mesh(mesh).oriented());
+  ASSERT_EQ(check_mesh(mesh).euler, 0);
+  EXPECT_GE(cut_handles(triangles, mesh.vertices.size()), 1U);
+  EXPECT_EQ(check_mesh(mesh).border_loops, 2U);
+  EXPECT_EQ(fill_holes(triangles, mesh.vertices.points, 3), 2U);
+  const MeshCheck check = check_mesh(mesh);
+  EXPECT_TRUE(check.closed() && check.sound());
+  EXPECT_EQ(check.euler, 2);
 }
 
 TEST(Holes, TwoBallsAtOneVertexComeApart) {

@@ -14,6 +14,7 @@
 #include "spigolo/core/stopwatch.h"
 #include "spigolo/mesh/caps.h"
 #include "spigolo/mesh/flips.h"
+#include "spigolo/mesh/handles.h"
 #include "spigolo/mesh/leftovers.h"
 #include "spigolo/mesh/recover.h"
 #include "spigolo/mesh/separate.h"
@@ -27,15 +28,37 @@ constexpr double narrow_hole = 3;  // [edges] across; triangles from border to b
 constexpr int most_repairs = 8, closing_repairs = 2;
 constexpr double largest_share_of_faults = 0.15;  // of the triangles and of the points left out
 
-// Holes closed, triangles of good shape.
-void finish(double step, const MesherOptions& options, SharpMesh& result, const Job& job) {
+void close_holes(double step, const MesherOptions& options, SharpMesh& result, const Job& job) {
   TriangleMesh& mesh = result.mesh;
-  separate(mesh, result.creases);  // makes the loops around holes simple
   result.holes_filled = fill_holes(mesh.triangles, mesh.vertices.points, narrow_hole * step, job);
   const CapReport caps =
       close_smoothly(mesh, {step, options.close ? infinity : options.largest_hole * step}, job);
   result.holes_filled += caps.smooth + caps.taut;
   result.caps_smooth = caps.smooth, result.caps_taut = caps.taut, result.holes_left = caps.left;
+}
+
+// Tunnels cut and their ends closed, if that succeeds.
+void undo_handles(double step, const MesherOptions& options, SharpMesh& result, const Job& job) {
+  SharpMesh without = result;
+  const std::size_t cut =
+      cut_handles(without.mesh.triangles, without.mesh.vertices.points.size(), job);
+  if (cut == 0) return;
+  separate(without.mesh, without.creases);
+  close_holes(step, options, without, job);
+  const auto borders = [&](const SharpMesh& m) { return check_connections(m.mesh).border_edges; };
+  if (borders(without) > borders(result)) return;
+  without.handles_cut = cut;
+  without.holes_filled = result.holes_filled, without.holes_left = result.holes_left;
+  without.caps_smooth = result.caps_smooth, without.caps_taut = result.caps_taut;
+  result = std::move(without);
+}
+
+// Holes closed, triangles of good shape.
+void finish(double step, const MesherOptions& options, SharpMesh& result, const Job& job) {
+  TriangleMesh& mesh = result.mesh;
+  separate(mesh, result.creases);  // makes the loops around holes simple
+  close_holes(step, options, result, job);
+  undo_handles(step, options, result, job);
   recover_creases(mesh.triangles, mesh.vertices.points, result.creases, job);
   const FlipReport flips = flip_edges(mesh.triangles, mesh.vertices.points, result.creases, job);
   separate(mesh, result.creases);

@@ -33,6 +33,7 @@ struct SharpMesh {
   std::size_t caps_smooth = 0;    // ... by caps that continue the sheets around
   std::size_t caps_taut = 0;      // ... by films with an edge along the border
   std::size_t holes_left = 0;     // left open, since a cap would run into the mesh
+  std::size_t handles_cut = 0;    // tunnels and strands three edges around
   std::size_t faults_taken = 0;   // triangles taken away because the mesh failed its check there
   std::size_t parts = 0;          // surfaces meshed apart, since one manifold could not hold them
   std::size_t uncovered = 0;      // points of the cloud farther than two edges from the mesh

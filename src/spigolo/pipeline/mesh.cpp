@@ -152,6 +152,8 @@ void warn(MeshedCloud& result) {
   if (result.sharp.parts > 1)
     result.warnings.push_back("the surface is not manifold: " + std::to_string(result.sharp.parts) +
                               " parts that meet or touch are meshed apart");
+  say(result.sharp.handles_cut,
+      " tunnels or strands only three edges around were taken for noise and cut");
   say(result.sharp.faults_taken,
       " triangles were taken away, since the surface would have run into itself there");
   say(check.nonmanifold_edges + check.nonmanifold_vertices, " places of the mesh are not manifold");

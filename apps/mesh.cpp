@@ -123,6 +123,7 @@ Json mesh_json(const MeshedCloud& meshed, const MeshCommand& c, const Json& para
   json["holes_smooth"] = meshed.sharp.caps_smooth;
   json["holes_taut"] = meshed.sharp.caps_taut;
   json["holes_left"] = meshed.sharp.holes_left;
+  json["handles_cut"] = meshed.sharp.handles_cut;
   json["faults_taken"] = meshed.sharp.faults_taken;
   json["parts"] = meshed.sharp.parts;
   json["uncovered"] = meshed.sharp.uncovered;

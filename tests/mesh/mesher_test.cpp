@@ -80,6 +80,7 @@ Case make_case(const std::string& shape, Sampling sampling, std::size_t points, 
   const SynthCloud cloud = make_cloud(options);
   Case c{{}, exact_network(cloud.shape, 60), cloud.shape};
   c.surface.spacing = std::sqrt(area(cloud.shape) / static_cast<double>(cloud.cloud.size()));
+  c.surface.disagreement *= c.surface.spacing;
   const OrderedCloud ordered = order_cloud(cloud.cloud.points);
   for (const Vec3& p : ordered.points)
     c.surface.points.push_back(
@@ -108,7 +109,6 @@ double farthest_middle(const SharpMesh& sharp, const Shape& shape) {
 // The sides of a plate or the chamfers of a box, whose samples say nothing or, misled, have the
 // normal of another sheet.
 SharpMesh mesh_without(const std::function<bool(const Vec3& normal)>& strip, Case& c, bool misled) {
-  c.surface.disagreement *= c.surface.spacing;
   for (SurfaceFoot& foot : c.surface.points)
     if (strip(foot.normal)) foot.normal = misled ? Vec3{0, 0, 1} : Vec3{};
   return build_mesh(c.surface, c.network);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/mesh/continuation.h"
 #include "spigolo/mesh/point_cells.h"
 #include "spigolo/mesh/strips.h"
 
@@ -25,7 +26,6 @@ constexpr double candidate_distance = 0.9;       // [edges] from the vertex besi
 constexpr double support_radius = 2.6;           // [spacings] surface points must lie in here ...
 constexpr std::size_t least_support = 5;         // ... at least so many ...
 const double widest_support_gap = radians(140);  // ... and all around
-constexpr std::size_t witnesses = 4;             // sheets that are asked where a gap is filled
 constexpr double strip_reach = 0.75;  // [steps] points that near to the middle of a strip ...
 constexpr double strip_depth = 0.25;  // [steps] ... and that near to its plane are in it, ...
 constexpr double strip_turn = 0.7;    // cosine: ... but not of it, if their normal turns so far
@@ -78,7 +78,8 @@ class SheetSampler {
         creases_(edge.step, 2 * samples.creases.size()),
         taken_(1.2 * edge.step, surface.points.size()),
         cloud_(surface.spacing, surface.points.size()),
-        strips_(edge.step, samples.creases.size()) {
+        strips_(edge.step, samples.creases.size()),
+        sheets_(surface, cloud_, 0.5 * edge.step) {
     for (const Vec3& p : samples.position) creases_.insert(p);
     for (const auto& [a, b] : samples.creases)
       creases_.insert((samples.position[a] + samples.position[b]) * 0.5);
@@ -175,7 +176,7 @@ class SheetSampler {
         const double a = angle + width * k / pieces;
         const Vec3 query = p + candidate_distance * length * compass.direction(a);
         if (!is_free(query, n, length)) continue;
-        const SurfaceFoot foot = on_surface(query, n);
+        const SurfaceFoot foot = sheets_.at(query, n);
         if (foot.valid() && !near_crease(foot.position) && supported(foot)) out.push_back(foot);
       }
     });
@@ -187,52 +188,6 @@ class SheetSampler {
       if (std::abs(dot(d, n)) < 0.4 * std::sqrt(squared)) compass.add(d);
       return false;
     });
-  }
-
-  using Witness = std::pair<double, std::uint32_t>;  // squared distance, surface point
-
-  std::array<Witness, witnesses> find_witnesses(const Vec3& query, const Vec3& normal) const {
-    std::array<Witness, witnesses> nearest;
-    nearest.fill({infinity, no_index});
-    cloud_.any_within(query, 2 * surface_.spacing, [&](std::uint32_t j, double squared) {
-      const SurfaceFoot& foot = surface_.points[j];
-      if (!foot.valid() || std::abs(dot(foot.normal, normal)) < 0.6) return false;
-      Witness entry{squared, j};
-      for (Witness& place : nearest)
-        if (entry < place) std::swap(entry, place);
-      return false;
-    });
-    return nearest;
-  }
-
-  // The sheets of the nearest surface points of about that normal, continued to the query: their
-  // mean where they agree. One that errs is outvoted, not followed.
-  SurfaceFoot on_surface(const Vec3& query, const Vec3& normal) const {
-    const auto nearest = find_witnesses(query, normal);
-    if (nearest[1].second == no_index) return {};
-    std::array<SurfaceFoot, witnesses> feet;
-    SurfaceFoot mean;
-    double weight = 0;
-    for (std::size_t i = 0; i < witnesses && nearest[i].second != no_index; ++i) {
-      feet[i] = continued(nearest[i].second, query);
-      if (!feet[i].valid()) return {};
-      const double w = 1 / (nearest[i].first + 0.1 * surface_.spacing * surface_.spacing);
-      mean.position += w * feet[i].position;
-      mean.normal += (dot(feet[i].normal, normal) < 0 ? -w : w) * feet[i].normal;
-      mean.curvature += w * feet[i].curvature;
-      weight += w;
-    }
-    mean = {mean.position / weight, normalized(mean.normal), mean.curvature / weight};
-    for (std::size_t i = 0; i < witnesses && nearest[i].second != no_index; ++i)
-      if (distance(feet[i].position, mean.position) > surface_.disagreement) return {};
-    return distance(mean.position, query) > 0.5 * edge_.step ? SurfaceFoot{} : mean;
-  }
-
-  SurfaceFoot continued(std::uint32_t near, const Vec3& query) const {
-    if (surface_.continued) return surface_.continued(near, query);
-    SurfaceFoot foot = surface_.points[near];
-    foot.position = query - dot(query - foot.position, foot.normal) * foot.normal;
-    return foot;
   }
 
   // Worth asking the sheets: neither taken nor at a crease.
@@ -267,6 +222,7 @@ class SheetSampler {
   MeshSamples& samples_;
   const Job& job_;
   PointCells creases_, taken_, cloud_, strips_;
+  const Continuation sheets_;
 };
 
 // A tip that a crease ends in is a vertex already.

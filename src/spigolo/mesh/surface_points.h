@@ -33,7 +33,7 @@ struct SurfacePoints {
                               // their mean are not one surface
 
   /// The sheet of point `near` at a place up to two spacings from it; called by several threads.
-  /// Empty: sheets are flat between their points.
+  /// Empty: arcs from point to point.
   std::function<SurfaceFoot(std::uint32_t near, const Vec3& query)> continued;
 };
 

@@ -24,6 +24,8 @@ constexpr std::size_t prepared_k = 20;  // neighbors that spacing, noise and lab
 constexpr double lone = 2.5;            // times the spacing of its neighbors: a flying point
 constexpr std::size_t lone_neighbors = 9;
 constexpr double disagreement = 0.15;  // [spacings] of sheets continued to one place
+constexpr double exact_noise = 0.02;   // [spacings] with more, the points of the surface around say
+                                       // better than own sheets where it goes on: those bend
 constexpr double farthest_move = 1.0;  // [spacings] a point moved farther is on no sheet ...
 constexpr double move_by_noise = 4;    // ... plus so many times the noise
 
@@ -115,6 +117,7 @@ SurfacePoints on_sheets(const SharpSurface& surface, MeshedCloud& result, const 
     else if (!out.points[i].valid())
       out.loose.push_back(prepared.cloud.points[i] + prepared.cloud.origin);
   out.disagreement = out.spacing * (disagreement + prepared.noise);
+  if (prepared.noise > exact_noise) return out;
   out.continued = [&surface](std::uint32_t near, const Vec3& query) {
     return on_sheet(surface.model().own[near], query, surface.origin());
   };

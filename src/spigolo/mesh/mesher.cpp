@@ -39,10 +39,11 @@ void close_holes(double step, const MesherOptions& options, SharpMesh& result, c
 
 // Tunnels cut and their ends closed, if that succeeds.
 void undo_handles(double step, const MesherOptions& options, SharpMesh& result, const Job& job) {
-  SharpMesh without = result;
-  const std::size_t cut =
-      cut_handles(without.mesh.triangles, without.mesh.vertices.points.size(), job);
+  std::vector<Triangle> rest = result.mesh.triangles;
+  const std::size_t cut = cut_handles(rest, result.mesh.vertices.size(), job);
   if (cut == 0) return;
+  SharpMesh without = result;
+  without.mesh.triangles = std::move(rest);
   separate(without.mesh, without.creases);
   close_holes(step, options, without, job);
   const auto borders = [&](const SharpMesh& m) { return check_connections(m.mesh).border_edges; };

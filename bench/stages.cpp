@@ -15,6 +15,7 @@
 #include "spigolo/sheets/local_noise.h"
 #include "spigolo/sheets/meeting.h"
 #include "spigolo/sheets/placed.h"
+#include "spigolo/sheets/rim.h"
 #include "spigolo/sheets/strength.h"
 #include "spigolo/sheets/tips.h"
 
@@ -48,6 +49,7 @@ std::array<double, stage_names.size()> stage_seconds(std::span<const Vec3> point
   auto verdicts = judge_points(cloud.points, neighborhoods, sheets, tolerances, {}, job);
   const bool placed = is_placed(looked, verdicts, job);
   if (placed) judge_placed(looked, tolerances, {}, verdicts, job);
+  if (!placed) drop_chance_rims(looked, verdicts, job);
   clean_verdicts(cloud.points, neighborhoods, spacing, tolerances, verdicts, job);
   done();
   fill_gaps(cloud.points, neighborhoods, spacing, placed, verdicts, job);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "spigolo/detect/detect.h"
+#include "spigolo/measure/classification.h"
 #include "spigolo/synth/synth.h"
 
 namespace spigolo {
@@ -117,6 +118,32 @@ TEST(Narrow, RoundedBoxesHaveNoEnds) {
   options.seed = 15;
   const Features f = detect(make_cloud(options).cloud.points).features;
   EXPECT_LE(f.counts()[1], 4u);
+}
+
+// Marks on random samples, more than two spacings h from any edge.
+std::size_t far_marks(const char* shape, double angle, std::uint64_t seed) {
+  SynthOptions options;
+  options.shape = shape;
+  options.angle = angle;
+  options.sampling = Sampling::random;
+  options.seed = seed;
+  const SynthCloud synth = make_cloud(options);
+  const FeatureTruth truth = read_truth(synth.cloud, synth.spacing, synth.lattice);
+  const auto marked = sharp_flags(detect(synth.cloud.points).features);
+  std::size_t far = 0;
+  for (std::size_t i = 0; i < marked.size(); ++i)
+    far += marked[i] && truth.edge_distance[i] > 2 * synth.spacing;
+  return far;
+}
+
+// The far wall seen through a gap that chance leaves between the samples of the near one.
+TEST(Narrow, InAnAcuteWedgeGapsBetweenSamplesAreNoRims) {
+  for (const std::uint64_t seed : {8, 12, 14}) EXPECT_EQ(far_marks("wedge", radians(25), seed), 0U);
+}
+
+// Where samples are sparse, a quadric does not follow a rounding of four spacings.
+TEST(Narrow, SlightBendsBetweenSheetsThatFitBadlyAreNoEdges) {
+  for (const std::uint64_t seed : {6, 7}) EXPECT_LE(far_marks("fillet-box", 0, seed), 10U);
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "spigolo/core/parallel.h"
 #include "spigolo/sheets/sector.h"
 
 namespace spigolo {
@@ -21,7 +23,9 @@ constexpr double margin = radians(20);      // of the gap's sides: neither beyon
 constexpr double bend_margin = radians(40), bend_slope = 0.36;  // less steep is a bend
 constexpr double same_sheet = 0.1;                              // [spacings]
 constexpr double thin_wall = 0.75;  // [spacings] too low for points of its own
+constexpr std::size_t grain = 1024;
 constexpr int least_beyond = 2;
+constexpr double far_side_reach = 3, far_side_length = 1.5;  // [spacings] around, along the end
 
 using Places = std::span<const std::uint32_t>;
 
@@ -104,6 +108,33 @@ std::optional<Rim> shape_rim(std::span<const Vec3> points, const Vec3& p, const 
   return rim;
 }
 
+// Whether another sheet close by runs past the supposed end of the place's own, with points on both
+// sides of it. direction: along the end; out: square to it, away from the sheet.
+bool is_gap_over_far_side(const SheetCloud& cloud, std::uint32_t i, const Vec3& direction,
+                          const Vec3& out) {
+  const Sheet& own = cloud.sheets[i];
+  const std::vector<std::uint32_t> ring = second_ring(cloud, i);
+  std::vector<std::uint32_t> off;
+  for (const std::uint32_t m : ring) {
+    const Vec3 d = (cloud.points[m] - cloud.points[i]) / own.spacing;
+    if (norm(d) < far_side_reach && std::abs(dot(d, direction)) < far_side_length &&
+        std::abs(height(own, cloud.points[m])) > same_sheet)
+      off.push_back(m);
+  }
+  return std::any_of(off.begin(), off.end(), [&](std::uint32_t o) {
+    const Sheet& far = cloud.sheets[o];
+    if (far.support < quadric_points || far.deviation > sure_sheet) return false;
+    int beyond = 0, before = 0;
+    for (const std::uint32_t m : off) {
+      if (std::abs(height(far, cloud.points[m])) > same_sheet) continue;
+      const double at = dot(cloud.points[m] - cloud.points[i], out) / own.spacing;
+      beyond += at > lateral;
+      before += at < -lateral;
+    }
+    return beyond >= least_beyond && before >= least_beyond;
+  });
+}
+
 }  // namespace
 
 std::optional<Rim> find_rim(std::span<const Vec3> points, std::span<const Sheet> sheets,
@@ -120,6 +151,17 @@ std::optional<Rim> find_rim(std::span<const Vec3> points, std::span<const Sheet>
   const auto rim = shape_rim(points, p, own, gap, off.nearby());
   if (!rim || rim->deviation < least_deviation) return std::nullopt;
   return rim;
+}
+
+void drop_chance_rims(const SheetCloud& cloud, std::vector<SheetVerdict>& verdicts,
+                      const Job& job) {
+  const auto is_chance = [&](std::size_t i) {
+    const SheetVerdict& v = verdicts[i];
+    return v.kind == PointKind::edge && v.crease_point == cloud.points[i] &&
+           is_gap_over_far_side(cloud, static_cast<std::uint32_t>(i), v.direction, -v.into[0]);
+  };
+  for (const std::uint32_t i : parallel_select(job, verdicts.size(), grain, is_chance))
+    verdicts[i] = {};
 }
 
 }  // namespace spigolo

@@ -7,8 +7,12 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
+#include "spigolo/core/job.h"
 #include "spigolo/sheets/cover.h"
+#include "spigolo/sheets/sheet_cloud.h"
+#include "spigolo/sheets/verdict.h"
 
 namespace spigolo {
 
@@ -28,5 +32,10 @@ struct Rim {
 std::optional<Rim> find_rim(std::span<const Vec3> points, std::span<const Sheet> sheets,
                             std::span<const std::uint32_t> members, const SheetCover& cover,
                             double least_deviation);
+
+/// Drops the rims that are only the luck of the samples: where another sheet within three spacings
+/// runs past the supposed end, as the far wall of a wedge shows through a gap in the near one.
+void drop_chance_rims(const SheetCloud& cloud, std::vector<SheetVerdict>& verdicts,
+                      const Job& job = {});
 
 }  // namespace spigolo

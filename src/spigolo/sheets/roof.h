@@ -21,6 +21,8 @@ class RoofTest {
            double least_deviation)
       : points_(points), members_(members), spacing_(spacing), least_deviation_(least_deviation) {}
 
+  double least() const { return least_deviation_; }  // [rad]
+
   struct Roof {
     double deviation = 0;        // [rad] from flat
     std::array<Vec3, 2> into{};  // unit, square to the crease, into each sheet

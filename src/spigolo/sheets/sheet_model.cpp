@@ -19,6 +19,7 @@
 #include "spigolo/sheets/passing.h"
 #include "spigolo/sheets/placed.h"
 #include "spigolo/sheets/refine.h"
+#include "spigolo/sheets/rim.h"
 #include "spigolo/sheets/strength.h"
 #include "spigolo/sheets/tips.h"
 
@@ -79,6 +80,7 @@ void judge_all(SheetModel& model, const SheetOptions& options, const Job& job) {
   const SheetCloud cloud{points, p.neighborhoods, p.spacing, model.own};
   const bool placed = exact && is_placed(cloud, model.verdicts, job);
   if (placed) judge_placed(cloud, model.tolerances, options, model.verdicts, job);
+  if (exact && !placed) drop_chance_rims(cloud, model.verdicts, job);
   clean_verdicts(points, p.neighborhoods, p.spacing, model.tolerances, model.verdicts, job);
   if (exact) fill_gaps(points, p.neighborhoods, p.spacing, placed, model.verdicts, job);
 }

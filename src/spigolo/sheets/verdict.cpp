@@ -26,13 +26,16 @@ constexpr double common_reach = 0.2;    // [spacings] of a further sheet from th
 constexpr double sure_reach = 0.45;     // [spacings] so close nobody overshadows
 constexpr double shadow_length = 0.6, shadow_depth = 0.35;  // [spacings] along and across the edge
 constexpr double exact_length = 0.5;                        // shorter where positions are exact
-constexpr double core_reach = 0.4;                          // [spacings] nobody at all overshadows
+constexpr double apart = 0.75;  // [spacings] so far from each other each stands for its own place
+constexpr double core_reach = 0.4;        // [spacings] nobody at all overshadows
 constexpr double lines_core_reach = 0.6;  // [spacings] the same on scan lines, crowded along them
 constexpr double placed_reach = 0.02,
                  placed_length = 0.9;        // [spacings] of a sample put on the edge
 constexpr double shadow_loss = 1.5;          // of its length, by noise: who is closer is less sure
 constexpr double border_gap = radians(150);  // of directions without a neighbor
 constexpr std::size_t border_neighbors = 16;
+constexpr double bend_of_misfit = 20;       // [rad] more for each spacing of misfit,
+constexpr double clear_bend = radians(20);  // but no more than this in all
 
 // Which eighths of a turn hold a neighbor, bit by bit, decides at a glance for most points: with no
 // two empty ones side by side no gap is wider than 135 degrees.
@@ -66,9 +69,17 @@ double strength_of(double distance, double limit, double deviation) {
   return std::clamp(near * (0.5 + 0.5 * clear), 0.01, 1.0);
 }
 
+// [rad] Least bend between two sheets. Without noise, where they fit badly, a slight one may lie
+// between their errors: a quadric does not follow a small rounding where samples are sparse.
+double least_bend(const Sheet& a, const Sheet& b, double least, bool exact) {
+  if (!exact || least > clear_bend) return least;
+  return std::min(clear_bend, least + bend_of_misfit * std::max(a.deviation, b.deviation));
+}
+
 // The closest of the creases between any two sheets of the cover.
-void find_edge(const RoofTest& test, const SheetCover& cover, const Vec3& p, double limit,
-               SheetVerdict& verdict) {
+void find_edge(const RoofTest& test, const SheetCover& cover, const Vec3& p,
+               const SheetTolerances& tolerances, SheetVerdict& verdict) {
+  const double limit = tolerances.exact() ? far_reach : proposal_reach;
   double closest = limit;
   for (std::size_t a = 0; a < cover.count; ++a) {
     for (std::size_t b = a + 1; b < cover.count; ++b) {
@@ -77,7 +88,9 @@ void find_edge(const RoofTest& test, const SheetCover& cover, const Vec3& p, dou
       const double away = distance(crease->point, p) / cover.sheet[a]->spacing;
       if (away > closest) continue;
       const auto roof = test.find(*crease, cover.on[a], cover.on[b]);
-      if (!roof) continue;
+      if (!roof || roof->deviation < least_bend(*cover.sheet[a], *cover.sheet[b], test.least(),
+                                                tolerances.exact()))
+        continue;
       closest = away;
       verdict = {PointKind::edge,
                  roof->deviation,
@@ -148,7 +161,8 @@ bool overshadowed(std::span<const Vec3> points, std::span<const std::uint32_t> n
     const Vec3 d = (points[j] - mine.crease_point) / spacing;
     const double beside = dot(d, mine.direction), across = norm(d - mine.direction * beside);
     if (exact && across < placed_reach) return std::abs(beside) < placed_length;
-    return away >= sure_reach && std::abs(beside) < length && across < away - shadow_depth;
+    return away >= sure_reach && std::abs(beside) < length && across < away - shadow_depth &&
+           (!exact || norm(points[j] - points[i]) < apart * spacing);
   });
 }
 
@@ -167,8 +181,7 @@ SheetVerdict judge_point(std::span<const Vec3> points, std::span<const Sheet> sh
   if (cover.count == 0) return verdict;
   const double spacing = cover.sheet[0]->spacing, least = least_deviation(options.sensitivity);
   if (cover.count > 1) {
-    const double limit = tolerances.exact() ? far_reach : proposal_reach;
-    find_edge(RoofTest(points, members, spacing, least), cover, p, limit, verdict);
+    find_edge(RoofTest(points, members, spacing, least), cover, p, tolerances, verdict);
     if (verdict.kind == PointKind::edge && tolerances.exact() &&
         !carries(points, members, spacing, verdict))
       return {};

@@ -153,15 +153,14 @@ std::optional<Rim> find_rim(std::span<const Vec3> points, std::span<const Sheet>
   return rim;
 }
 
-void drop_chance_rims(const SheetCloud& cloud, std::vector<SheetVerdict>& verdicts,
-                      const Job& job) {
+void drop_chance_rims(const SheetCloud& cloud, VerdictRows& verdicts, const Job& job) {
   const auto is_chance = [&](std::size_t i) {
     const SheetVerdict& v = verdicts[i];
     return v.kind == PointKind::edge && v.crease_point == cloud.points[i] &&
            is_gap_over_far_side(cloud, static_cast<std::uint32_t>(i), v.direction, -v.into[0]);
   };
   for (const std::uint32_t i : parallel_select(job, verdicts.size(), grain, is_chance))
-    verdicts[i] = {};
+    verdicts.set(i, {});
 }
 
 }  // namespace spigolo

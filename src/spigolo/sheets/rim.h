@@ -7,7 +7,6 @@
 #include <array>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "spigolo/core/job.h"
 #include "spigolo/sheets/cover.h"
@@ -35,7 +34,6 @@ std::optional<Rim> find_rim(std::span<const Vec3> points, std::span<const Sheet>
 
 /// Drops the rims that are only the luck of the samples: where another sheet within three spacings
 /// runs past the supposed end, as the far wall of a wedge shows through a gap in the near one.
-void drop_chance_rims(const SheetCloud& cloud, std::vector<SheetVerdict>& verdicts,
-                      const Job& job = {});
+void drop_chance_rims(const SheetCloud& cloud, VerdictRows& verdicts, const Job& job = {});
 
 }  // namespace spigolo

@@ -5,9 +5,11 @@
 #include "spigolo/sheets/local_noise.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/index/group_search.h"
 #include "spigolo/index/noise.h"
 
 namespace spigolo {
@@ -47,14 +49,17 @@ double noise_at(const SheetCloud& cloud, std::size_t i) {
 std::vector<double> estimate_local_noise(const SheetCloud& cloud, const Job& job) {
   std::vector<double> first(cloud.size()), second(cloud.size());
   const auto sweep = [&](std::vector<double>& result, double share, auto&& value_of) {
+    const std::size_t n = std::min(asked, cloud.neighborhoods.k);
+    const auto place = static_cast<std::size_t>(share * static_cast<double>(n));
     parallel_for(job, "", cloud.size(), grain, [&](std::size_t begin, std::size_t end) {
-      std::vector<double> values;
+      std::array<double, asked + 1> values;
+      std::array<std::uint32_t, asked + 1> order;
       for (std::size_t i = begin; i < end; ++i) {
-        values.assign(1, value_of(i));
         const auto row = cloud.neighborhoods.of(i);
-        for (const std::uint32_t j : row.first(std::min(asked, row.size())))
-          values.push_back(value_of(j));
-        result[i] = quantile(values, share);
+        values[0] = value_of(i);
+        for (std::size_t t = 0; t < n; ++t) values[t + 1] = value_of(row[t]);
+        rank_ascending(values.data(), n + 1, place + 1, order.data());
+        result[i] = values[order[place]];
       }
     });
   };

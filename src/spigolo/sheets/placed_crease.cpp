@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "spigolo/sheets/heights.h"
+#include "spigolo/sheets/sector.h"
 
 namespace spigolo {
 namespace {
@@ -22,6 +23,10 @@ constexpr std::size_t most_sheets = 8;
 constexpr double aside = 0.3;        // [spacings] from the crease: on one sheet only
 constexpr double beside = 2.5;       // [spacings] along it: a sheet may end elsewhere
 constexpr double least_depth = 0.3;  // [spacings] of a sheet's points from its nearest row on
+// An end: the sheet has nothing in such a sector, and all that lies there is steeply off it.
+constexpr double end_gap = radians(150), bend_margin = 0.64, bend_slope = 0.36;  // sine, tangent
+constexpr double off_reach = 2;  // [spacings] so close the surface goes on
+constexpr std::size_t least_off = 2;
 constexpr std::size_t least_on_both = 2, least_on_side = 3;
 
 // An exact sheet through the point and what lies on it.
@@ -94,6 +99,78 @@ bool is_broad(const Sides& sides) {
 
 bool ends(const Sides& sides) { return sides.behind == 0; }
 
+// What lies around the supposed end of a sheet at the point.
+struct End {
+  Vec3 out, along;                          // unit, in the sheet: away from it, along its end
+  std::size_t row = 0, before = 0;          // points of the sheet on its end, before it
+  double nearest = infinity, farthest = 0;  // [spacings] of those before it
+  std::size_t off = 0;                      // points close by that are clearly off the sheet
+  double closest = infinity;                // [spacings] the nearest of them that is not below it,
+  Vec3 next;                                // and the way there, square to the end
+  bool is_none = false;                     // the sheet goes on, or the surface only bends
+
+  bool holds() const {
+    return !is_none && row >= least_on_both && before >= least_on_side &&
+           farthest > nearest + least_depth && off >= least_off && closest < infinity;
+  }
+};
+
+void add_own(End& end, const Vec3& d) {
+  const double beyond = dot(d, end.out), aside_of = std::abs(dot(d, end.along));
+  if (aside_of > beside) return;
+  end.is_none |= beyond > aside;
+  if (std::abs(beyond) <= aside) {
+    end.row += aside_of > aside;
+    return;
+  }
+  ++end.before;
+  end.nearest = std::min(end.nearest, -beyond);
+  end.farthest = std::max(end.farthest, -beyond);
+}
+
+// meets: it is of another sheet that meets this one close by, and is no news.
+void add_other(End& end, const Exact& sheet, const Vec3& d, double height, bool meets) {
+  const double away = norm(d), beyond = dot(d, end.out);
+  if (away > off_reach) return;
+  const double lateral = std::hypot(beyond, dot(d, end.along));
+  end.is_none |=
+      lateral > aside && beyond > -bend_margin * lateral && height < bend_slope * lateral;
+  if (height <= aside || meets) return;
+  ++end.off;
+  if (beyond < -aside || away >= end.closest) return;
+  end.closest = away;
+  end.next = normalized(end.out * beyond + sheet.normal * dot(d, sheet.normal));
+}
+
+// The sheet ends in a row of samples, and what goes on from there is too narrow for a sheet: the
+// crest of a rib as thick as one spacing.
+std::optional<SheetVerdict> find_placed_end(const Exact& sheet, std::span<const Vec3> points,
+                                            std::span<const Sheet> sheets,
+                                            std::span<const std::uint32_t> members,
+                                            double least_deviation) {
+  const Sector gap = widest_sector(points, members, *sheet.sheet, sheet.on);
+  if (gap.width < end_gap) return std::nullopt;
+  const double middle = gap.from + gap.width / 2;
+  const Vec3 out = sheet.sheet->u * std::cos(middle) + sheet.sheet->v * std::sin(middle);
+  End end;
+  end.out = normalized(out - sheet.normal * dot(out, sheet.normal));
+  end.along = cross(sheet.normal, end.out);
+  const Vec3& p = points[members[0]];
+  for (std::size_t t = 1; t < members.size(); ++t) {
+    const Vec3& q = points[members[t]];
+    const Vec3 d = (q - p) / sheet.sheet->spacing;
+    if (sheet.on[t])
+      add_own(end, d);
+    else
+      add_other(end, sheet, d, std::abs(height(*sheet.sheet, q)),
+                find_crease(*sheet.sheet, sheets[members[t]], p).has_value());
+  }
+  if (!end.holds()) return std::nullopt;
+  const double deviation = pi - angle_between(-end.out, end.next);
+  if (deviation < least_deviation) return std::nullopt;
+  return SheetVerdict{PointKind::edge, deviation, 1, p, end.along, {-end.out, end.next}, 2};
+}
+
 }  // namespace
 
 std::optional<SheetVerdict> find_placed_crease(std::span<const Vec3> points,
@@ -120,6 +197,8 @@ std::optional<SheetVerdict> find_placed_crease(std::span<const Vec3> points,
       most = both.count();
       best = {PointKind::edge, deviation, 1, around[0], along, {in_one.in, in_other.in}, 2};
     }
+  for (std::size_t a = 0; !best && a < exact.count; ++a)
+    best = find_placed_end(exact.of[a], points, sheets, members, least_deviation);
   return best;
 }
 

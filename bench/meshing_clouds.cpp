@@ -77,12 +77,8 @@ void scans(Report& report) {
       "borders; nothing bridges what was not seen.");
   std::vector<Row> rows;
   for (const char* shape : {"box", "l-prism", "boxhole", "cylinders"}) {
-    SynthOptions options;
-    options.shape = shape;
-    options.sampling = Sampling::view;
-    options.views = 2;
-    options.points = 10000;
-    options.seed = seed;
+    SynthOptions options{
+        .shape = shape, .sampling = Sampling::view, .points = 10000, .seed = seed, .views = 2};
     rows.push_back(cloud_row(shape, make_cloud(options).cloud.points));
   }
   report.table(cloud_head, rows);
@@ -124,11 +120,7 @@ void mesh_speed(Report& report, bool large) {
   std::vector<std::size_t> sizes = {100000};
   if (large) sizes.push_back(1000000);
   for (const std::size_t n : sizes) {
-    SynthOptions options;
-    options.shape = "hole17k";
-    options.sampling = Sampling::blue;
-    options.points = n;
-    options.seed = seed;
+    SynthOptions options{.shape = "hole17k", .sampling = Sampling::blue, .points = n, .seed = seed};
     const std::vector<Vec3> points = make_cloud(options).cloud.points;
     const Meter meter;
     const MeshedCloud m = mesh_cloud(points);

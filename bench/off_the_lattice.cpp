@@ -28,12 +28,11 @@ struct Case {
 
 std::vector<std::string> row_of(const Case& c) {
   const auto& [shape, sampling, noise] = c;
-  SynthOptions options;
-  options.shape = shape.name;
-  options.angle = radians(shape.angle > 0 ? shape.angle : 90);
-  options.sampling = sampling;
-  options.noise = noise;
-  options.seed = 11;
+  SynthOptions options{.shape = shape.name,
+                       .sampling = sampling,
+                       .noise = noise,
+                       .seed = 11,
+                       .angle = radians(shape.angle > 0 ? shape.angle : 90)};
   const SynthCloud s = make_cloud(options);
   DetectOptions literal = thesis_method();
   literal.sigma = 0.1;
@@ -59,11 +58,7 @@ std::vector<std::string> row_of(const Case& c) {
 }
 
 std::vector<std::string> false_flags(const Case& c) {
-  SynthOptions options;
-  options.shape = c.shape.name;
-  options.sampling = c.sampling;
-  options.points = 20000;
-  options.seed = 11;
+  SynthOptions options{.shape = c.shape.name, .sampling = c.sampling, .points = 20000, .seed = 11};
   const SynthCloud s = make_cloud(options);
   const auto per_mille = [&](const DetectOptions& method) {
     const auto flagged = static_cast<double>(detect_and_score(s, method).thin.flagged);

@@ -34,9 +34,7 @@ Times time_detection(const std::vector<Vec3>& points, const DetectOptions& optio
 }
 
 std::vector<Vec3> hole(std::size_t points) {
-  SynthOptions options;
-  options.shape = "hole";
-  options.points = points;
+  SynthOptions options{.shape = "hole", .points = points};
   return make_cloud(options).cloud.points;
 }
 

@@ -26,11 +26,8 @@ constexpr std::size_t least_for_memory = 100000;  // below, pages of the system 
 constexpr std::size_t floor_stages = 3;           // order, tree, neighbors
 
 std::vector<Vec3> random_samples(const std::string& shape, std::size_t points, double noise = 0) {
-  SynthOptions options;
-  options.shape = shape;
-  options.sampling = Sampling::random;
-  options.points = points;
-  options.noise = noise;
+  SynthOptions options{
+      .shape = shape, .sampling = Sampling::random, .points = points, .noise = noise};
   return make_cloud(options).cloud.points;
 }
 

@@ -33,8 +33,7 @@ void table_1(Report& report) {
   const std::vector<Row> sets = {Row{"cube", "575 of 580"}, Row{"planes", "257 of 256, 1 outlier"},
                                  Row{"hole", "1398 of 1350, 48 outliers"}};
   const auto row_of = [](const Row& row) -> std::vector<std::string> {
-    SynthOptions options;
-    options.shape = row.shape;
+    SynthOptions options{.shape = row.shape};
     const SynthCloud s = make_cloud(options);
     const Scored ours = detect_and_score(s, thesis_method()), sheets = detect_and_score(s);
     return {row.shape, count(s.cloud.size()), row.thesis, found(ours), found(sheets)};
@@ -62,9 +61,7 @@ void table_2(Report& report) {
       "cloud; the truth is not looked at. Their three steps were chosen on this shape with another "
       "seed (77; here 1), the constants of `sheets` were looked at with seed 5.");
   const auto row_of = [](const Row& row) -> std::vector<std::string> {
-    SynthOptions options;
-    options.shape = "hole17k";
-    options.noise_percent = row.percent;
+    SynthOptions options{.shape = "hole17k", .noise_percent = row.percent};
     const SynthCloud s = make_cloud(options);
     const Scored ours = detect_and_score(s, thesis_method()), sheets = detect_and_score(s);
     return {number(row.percent, 1),
@@ -96,8 +93,7 @@ void smallest_clusters(Report& report) {
       "default without noise is 0.15.");
   std::vector<SynthCloud> clouds;
   for (const char* shape : {"planes", "hole", "hole17k"}) {
-    SynthOptions synth;
-    synth.shape = shape;
+    SynthOptions synth{.shape = shape};
     clouds.push_back(make_cloud(synth));
   }
   const auto row_of = [&clouds](double share) {
@@ -121,9 +117,7 @@ void wedges(Report& report) {
       "180 "
       "(k tuned by hand to 8 and 10). Here: the defaults.");
   const auto row_of = [](double angle) {
-    SynthOptions options;
-    options.shape = "wedge";
-    options.angle = radians(angle);
+    SynthOptions options{.shape = "wedge", .angle = radians(angle)};
     const SynthCloud cloud = make_cloud(options);
     std::vector<std::string> row = {number(angle)};
     for (const DetectOptions& method : {thesis_method(), DetectOptions{}}) {
@@ -147,8 +141,7 @@ void figure_26(Report& report) {
       "= 10 "
       "on its outer edges and k = 20 inside. The smallest cluster is 0.15 throughout.");
   for (const char* shape : {"cube", "planes", "hole"}) {
-    SynthOptions synth;
-    synth.shape = shape;
+    SynthOptions synth{.shape = shape};
     const SynthCloud s = make_cloud(synth);
     const auto row_of = [&s](std::size_t k) {
       std::vector<std::string> row = {count(k)};
@@ -185,8 +178,7 @@ void figures_21_and_22(Report& report) {
     double sigma;
   };
   const auto row_of = [](const Case& c) -> std::vector<std::string> {
-    SynthOptions synth;
-    synth.shape = c.shape;
+    SynthOptions synth{.shape = c.shape};
     DetectOptions options;
     options.method = DetectMethod::gauss_map_global;
     options.k = c.k, options.sigma = c.sigma, options.min_cluster = 0.15;

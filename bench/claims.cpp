@@ -185,6 +185,18 @@ class Claims {
         of(same, static_cast<int>(labels.rows().size())));
   }
 
+  void guarantees() {
+    const std::string heading = "Exit statuses, and an older file in the output's place";
+    const Part part(body_, heading);
+    int right = 0, kept = 0, failed = 0;
+    for (const Row& row : part.rows()) {
+      right += row[1] == row[2];
+      failed += row[1] != "0", kept += row[1] != "0" && row[3] == "as it was";
+    }
+    add(part, "exit statuses as promised; failing runs that left an older file as it was", heading,
+        of(right, static_cast<int>(part.rows().size())) + "; " + of(kept, failed));
+  }
+
   void speed() {
     const std::string sizes = "Detection by size", noisy = "Detection with noise";
     const Part part = Part(body_, sizes).where(starts_with({"box", "1000000"}));
@@ -216,6 +228,7 @@ void write_claims(Report& page, const Report& body) {
   claims.meshes();
   claims.blends();
   claims.determinism();
+  claims.guarantees();
   claims.speed();
   if (claims.rows.empty()) return;
   page.heading(2, "What README.md says");

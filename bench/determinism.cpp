@@ -140,6 +140,7 @@ void determinism(Report& report) {
   places.scratch = "out/determinism";
   hashes(report, places);
   moved_inputs_tables(report);
+  guarantees(report, places);
 }
 
 }  // namespace spigolo::bench

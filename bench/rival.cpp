@@ -39,7 +39,7 @@ std::vector<double> numbers_of(const std::string& line) {
 
 }  // namespace
 
-bool run_rival(const RivalPlaces& places, const std::vector<std::string>& command) {
+int run_status(const RivalPlaces& places, const std::vector<std::string>& command) {
   fs::create_directories(places.scratch);
   std::vector<std::string> words = {"timeout", longest_run};
   words.insert(words.end(), command.begin(), command.end());
@@ -55,7 +55,11 @@ bool run_rival(const RivalPlaces& places, const std::vector<std::string>& comman
   const int failed =
       posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  return failed == 0 && wait_for(child) == 0;
+  return failed == 0 ? wait_for(child) : -1;
+}
+
+bool run_rival(const RivalPlaces& places, const std::vector<std::string>& command) {
+  return run_status(places, command) == 0;
 }
 
 std::string package_version(const RivalPlaces& places, const std::string& package) {

@@ -28,6 +28,9 @@ struct RivalPlaces {
 /// False if it is missing, fails or takes too long.
 bool run_rival(const RivalPlaces& places, const std::vector<std::string>& command);
 
+/// The same, but the exit status; -1 if it could not be started or was killed.
+int run_status(const RivalPlaces& places, const std::vector<std::string>& command);
+
 /// The installed version of a Debian package; "not installed" without it.
 std::string package_version(const RivalPlaces& places, const std::string& package);
 

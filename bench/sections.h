@@ -42,6 +42,8 @@ void speed(Report& report, const std::filesystem::path& data, const std::filesys
 void speed_by_size(Report& report, const std::filesystem::path& pictures, bool large);
 /// Bytes for several numbers of threads; labels of moved clouds.
 void determinism(Report& report);
+/// Its last part: exit statuses of the program.
+void guarantees(Report& report, const RivalPlaces& places);
 /// Files of the folder `data` (see docs/benchmarks.md); pictures go to `pictures`.
 void real_clouds(Report& report, const std::filesystem::path& data,
                  const std::filesystem::path& pictures);

@@ -116,15 +116,13 @@ void SheetSeparator::assign() {
   const std::size_t n = r_->points.size();
   measure(r_->points);
   for (std::size_t t = 0; t < n; ++t)
-    r_->label[t] = static_cast<std::int8_t>(membership(t, n, false).sheet);
+    r_->label[t] = static_cast<std::int8_t>(membership(t, n).sheet);
 }
 
-// The sheet whose valid part is nearest. Where several valid sheets pass, the nearest of them is
-// near by chance; so the odds are those of a mixture of them. Of measured point t of n.
-SheetSeparator::Membership SheetSeparator::membership(std::size_t t, std::size_t n,
-                                                      bool odds) const {
+// The sheet whose valid part is nearest, of measured point t of n.
+SheetSeparator::Membership SheetSeparator::membership(std::size_t t, std::size_t n) const {
   const LocalSheets& sheets = r_->sheets;
-  Membership best{-1, distrust * distrust, 0};
+  Membership best{-1, distrust * distrust};
   std::array<double, LocalSheets::most> h{};
   std::uint32_t above = 0, open = 0;
   for (std::size_t s = 0; s < sheets.count; ++s) {
@@ -132,24 +130,53 @@ SheetSeparator::Membership SheetSeparator::membership(std::size_t t, std::size_t
     if (h[s] > 0) above |= 1U << s;
     if (std::abs(h[s]) <= sheets.tolerance) open |= 1U << s;
   }
-  const double variance = unit_ * unit_;
-  double likelihood = 0, valid = 0;
+  const double cut = most_cost * unit_ * unit_;
   for (std::size_t s = 0; s < sheets.count; ++s) {
     double cost = h[s] * h[s];
-    if (cost >= std::max(best.cost, most_cost * variance)) continue;
+    if (cost >= std::max(best.cost, cut)) continue;
     if (sheets.count > 1 && !sheets.has_data(s, above, open)) {
       double over = 0;
       for (std::size_t c = 0; c < sheets.count; ++c)
         if (c != s) over = std::max(over, h[c] * h[c]);
       cost += over;
-    } else if (odds && cost < most_cost * variance) {
-      likelihood += std::exp(-0.5 * cost / variance), valid += 1;
     }
-    if (cost < best.cost) best.sheet = static_cast<int>(s), best.cost = cost;
+    if (cost < best.cost) best = {static_cast<int>(s), cost};
   }
-  best.badness = best.cost / variance;
-  if (valid > 1) best.badness = -2 * std::log(likelihood / valid);
   return best;
+}
+
+// Whether the foot of measured point t of n on sheet s is on its valid part. The point itself may
+// be beyond its end by noise, and would then tell two sheets on top of each other apart.
+bool SheetSeparator::is_above_surface(std::size_t s, std::size_t t, std::size_t n) const {
+  const LocalSheets& sheets = r_->sheets;
+  std::uint32_t above = 0, open = 0;
+  for (std::size_t c = 0; c < sheets.count; ++c) {
+    const double h = heights_[c * n + t] - heights_[s * n + t] * cosine_[s][c];
+    if (h > 0) above |= 1U << c;
+    if (std::abs(h) <= sheets.tolerance) open |= 1U << c;
+  }
+  return sheets.has_data(s, above, open);
+}
+
+// -2 log of the odds of measured point t of n [variances]. Where several valid sheets pass, the
+// nearest of them is near by chance; so the odds are those of a mixture of them.
+double SheetSeparator::badness(std::size_t t, std::size_t n) const {
+  const double variance = unit_ * unit_;
+  double likelihood = 0, valid = 0;
+  for (std::size_t s = 0; s < r_->sheets.count && r_->sheets.count > 1; ++s) {
+    const double h = heights_[s * n + t];
+    if (h * h >= most_cost * variance || !is_above_surface(s, t, n)) continue;
+    likelihood += std::exp(-0.5 * h * h / variance), valid += 1;
+  }
+  return valid > 1 ? -2 * std::log(likelihood / valid) : membership(t, n).cost / variance;
+}
+
+void SheetSeparator::note_cosines() {
+  std::array<Vec3, LocalSheets::most> normal;
+  for (std::size_t s = 0; s < r_->sheets.count; ++s)
+    normal[s] = normal_at(r_->sheets.sheet[s], r_->center);
+  for (std::size_t s = 0; s < r_->sheets.count; ++s)
+    for (std::size_t c = 0; c < r_->sheets.count; ++c) cosine_[s][c] = dot(normal[s], normal[c]);
 }
 
 double SheetSeparator::score(SheetRegion& region, std::size_t stride) {
@@ -157,9 +184,10 @@ double SheetSeparator::score(SheetRegion& region, std::size_t stride) {
   looked_at_.clear();
   for (std::size_t t = 0; t < r_->points.size(); t += stride) looked_at_.push_back(r_->points[t]);
   measure(looked_at_);
+  note_cosines();
   double sum = 0;
   for (std::size_t t = 0; t < looked_at_.size(); ++t)
-    sum += std::min(most_cost, membership(t, looked_at_.size(), true).badness);
+    sum += std::min(most_cost, badness(t, looked_at_.size()));
   const auto n = static_cast<double>(r_->points.size());
   int coefficients = 0;
   for (std::size_t s = 0; s < r_->sheets.count; ++s)

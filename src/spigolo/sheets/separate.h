@@ -5,6 +5,7 @@
 #pragma once
 
 #include <span>
+#include <array>
 #include <vector>
 
 #include "spigolo/sheets/seeds.h"
@@ -48,13 +49,14 @@ class SheetSeparator {
   bool settle(int rounds, bool join);
   void assign();
   struct Membership {
-    int sheet = -1;      // whose valid part is nearest
-    double cost = 0;     // [squared spacings]
-    double badness = 0;  // -2 log of the odds, [variances] if there is one sheet
+    int sheet = -1;   // whose valid part is nearest
+    double cost = 0;  // [squared spacings]
   };
   void measure(std::span<const Vec3> points);
-  /// odds: whether badness is asked for.
-  Membership membership(std::size_t t, std::size_t n, bool odds) const;
+  Membership membership(std::size_t t, std::size_t n) const;
+  bool is_above_surface(std::size_t s, std::size_t t, std::size_t n) const;
+  double badness(std::size_t t, std::size_t n) const;
+  void note_cosines();
   void fit();
   Sheet fit_labelled(std::size_t s, std::size_t also);
   bool merge();
@@ -67,6 +69,7 @@ class SheetSeparator {
   SheetRegion* r_ = nullptr;
   std::vector<Vec3> looked_at_;
   std::vector<double> weights_, heights_;
+  std::array<std::array<double, LocalSheets::most>, LocalSheets::most> cosine_{};  // of normals
 };
 
 }  // namespace spigolo

@@ -24,6 +24,7 @@ constexpr double exact_side = 0.05;
 constexpr double rare = 0.04,
                  rare_at_places =
                      0.1;             // share of a noisy sheet's points that strayed over a crease
+constexpr double little_bend = 0.85, undecided = 0.1;  // cosine of normals; of a half
 constexpr double merge_noise = 1.15;  // [standard deviations]
 constexpr double merge_cosine = 0.8, merge_ratio = 20;  // of normals; of an F-test on the residuals
 constexpr double most_cost = 9;                         // [variances] of a point on no sheet
@@ -265,6 +266,24 @@ void SheetSeparator::fit() {
   r_->sheets.count = kept;
 }
 
+// Over a crease with little bend noise carries many points, so there a sheet ends where the fewer of
+// its points are.
+void SheetSeparator::end_at_bends() {
+  note_cosines();
+  LocalSheets& sheets = r_->sheets;
+  for (std::size_t s = 0; s < sheets.count; ++s) {
+    for (std::size_t c = 0; c < sheets.count; ++c) {
+      const auto above = static_cast<double>(sheets.share_above[s][c]);
+      if (c == s || std::abs(cosine_[s][c]) < little_bend || std::abs(above - 0.5) < undecided)
+        continue;
+      std::uint64_t kept = 0;
+      for (std::uint32_t pattern = 0; pattern < 64; ++pattern)
+        if ((pattern >> c & 1U) == (above > 0.5 ? 1U : 0U)) kept |= std::uint64_t{1} << pattern;
+      if (sheets.data_sides[s] & kept) sheets.data_sides[s] &= kept;
+    }
+  }
+}
+
 void SheetSeparator::note_sides() {
   std::array<std::array<std::uint16_t, 64>, LocalSheets::most> seen{};
   std::array<std::size_t, LocalSheets::most> total{};
@@ -303,6 +322,7 @@ void SheetSeparator::note_sides() {
       if (seen[s][pattern] > share * static_cast<double>(total[s]))
         r_->sheets.data_sides[s] |= std::uint64_t{1} << pattern;
   }
+  if (!exact && rare_ > rare) end_at_bends();
 }
 
 }  // namespace spigolo

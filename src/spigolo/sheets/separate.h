@@ -57,6 +57,7 @@ class SheetSeparator {
   bool is_above_surface(std::size_t s, std::size_t t, std::size_t n) const;
   double badness(std::size_t t, std::size_t n) const;
   void note_cosines();
+  void end_at_bends();
   void fit();
   Sheet fit_labelled(std::size_t s, std::size_t also);
   bool merge();

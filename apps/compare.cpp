@@ -106,7 +106,8 @@ TriangleMesh surface_of(Side&& side) {
   return std::move(side.mesh);
 }
 
-// Colours run to the 95th percentile, so that a few strays do not pale the rest.
+// Colours run to the 95th percentile, so that a few strays do not pale the rest. Labels that A came
+// with are left out: 'render' would draw them instead.
 TriangleMesh with_deviation(TriangleMesh a, std::vector<double> deviation, bool with_sign) {
   deviation.resize(a.vertices.size());  // places between vertices have no vertex to colour
   const double range = summarize(deviation).p95;
@@ -121,6 +122,8 @@ TriangleMesh with_deviation(TriangleMesh a, std::vector<double> deviation, bool 
   a.vertices.set("green", ScalarType::uint8, std::move(green));
   a.vertices.set("blue", ScalarType::uint8, std::move(blue));
   a.vertices.set("scalar_deviation", ScalarType::float32, std::move(deviation));
+  std::erase_if(a.vertices.attributes,
+                [](const Attribute& attribute) { return attribute.name == "scalar_kind"; });
   return a;
 }
 

@@ -188,6 +188,19 @@ TEST_F(Verbs, compareMeasuresAShiftBothWays) {
   EXPECT_NEAR(values_of(read_cloud(path("d.ply")), "scalar_deviation")[0], 1e-3, 1e-9);
 }
 
+TEST_F(Verbs, compareLeavesOutLabelsSoThatRenderDrawsTheDeviation) {
+  PointCloud a;
+  a.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  a.set("scalar_kind", ScalarType::float32, {0, 1, 0, 1});
+  a.set("scalar_angle", ScalarType::float32, {0, 90, 0, 90});
+  const std::string cloud = cloud_file("a.ply", a);
+  ASSERT_EQ(run_program({"compare", cloud, cloud, "-o", path("d.ply")}).status, 0);
+  const PointCloud out = read_cloud(path("d.ply"));
+  EXPECT_EQ(out.find("scalar_kind"), nullptr);
+  EXPECT_NE(out.find("scalar_angle"), nullptr);
+  EXPECT_NE(out.find("scalar_deviation"), nullptr);
+}
+
 TEST_F(Verbs, compareToAMeshHasASign) {
   const std::string mesh = mesh_file("mesh.ply");
   const PointCloud points{{{0.2, 0.2, -0.5}, {0.2, 0.2, 0.1}}, {}};  // below it, inside it

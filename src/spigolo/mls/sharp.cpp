@@ -5,6 +5,7 @@
 #include "spigolo/mls/sharp.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "spigolo/core/error.h"
@@ -15,7 +16,7 @@ namespace {
 constexpr std::size_t prepared_k = 20;  // neighbors that spacing, noise and sheets start from
 constexpr int most_looks = 3;           // the weights follow the result
 constexpr double settled_step = 0.02;   // [spacings]
-constexpr double stray = 0.5;           // [spacings] no sample without noise is so far off
+constexpr double stray = 0.05;          // [spacings] no sample without noise is so far off
 constexpr double least_h = 1.3, h_per_noise = 12, largest_h = 6;  // [spacings]
 constexpr double least_reach = 6, reach_per_smoothing = 3;        // [spacings]
 
@@ -59,10 +60,25 @@ SharpSurface::SharpSurface(SheetModel&& model, const MlsOptions& options, const 
 
 namespace {
 
-// A sample without noise lies on the surface: where the sides of the sheets leave it nothing near,
-// they are wrong.
-bool is_stray(const SharpSurface& surface, bool sample, double moved, double spacing) {
-  return sample && surface.model().tolerances.exact() && moved > stray * spacing;
+SurfacePoint point_on(const Sheet& sheet, const Vec3& position, SurfaceStatus status) {
+  SurfacePoint result;
+  result.status = status;
+  result.position = position;
+  result.normal = normal_at(sheet, position);
+  result.curvature = curvatures_at(sheet, position);
+  return result;
+}
+
+// A sample without noise lies on the surface: where a look leaves it nothing near, the sheets or
+// their sides are wrong, and its own sheet is not.
+std::optional<SurfacePoint> stay_on_own_sheet(const SharpSurface& surface, const Vec3& x,
+                                              const Vec3& found, const SheetProbe& probe) {
+  const double limit = stray * probe.spacing();
+  if (!surface.model().tolerances.exact() || !(distance(found, x) > limit)) return std::nullopt;
+  const Sheet& own = probe.own_sheet();
+  const std::optional<Vec3> foot = own.fitted() ? find_foot(own, x) : std::nullopt;
+  if (!foot || distance(*foot, x) > limit) return std::nullopt;
+  return point_on(own, *foot, SurfaceStatus::sheet);
 }
 
 }  // namespace
@@ -75,15 +91,16 @@ SurfacePoint project_sharp(const SharpSurface& surface, const Vec3& query, Sheet
   Vec3 center = x;
   Foot foot;
   const LocalSheets* sheets = nullptr;
-  bool sample = false;
   for (int look = 0; look < most_looks; ++look) {
     sheets = &probe.look(center);
     result.status = SurfaceStatus::too_far;
     if (!(probe.away() <= surface.options().reach * probe.spacing())) return result;
-    if (look == 0) sample = probe.away() == 0;
     foot = find_nearest_foot(*sheets, x);
-    if (is_stray(surface, sample, distance(foot.position, x), probe.spacing()))
-      foot = find_nearest_sheet(*sheets, x);
+    if (look == 0 && probe.away() == 0)
+      if (auto stays = stay_on_own_sheet(surface, x, foot.position, probe)) {
+        stays->position += surface.origin();
+        return *stays;
+      }
     result.status = status_of(foot.kind);
     if (foot.kind == FootKind::none) return result;
     const double step = distance(foot.position, center);
@@ -91,10 +108,8 @@ SurfacePoint project_sharp(const SharpSurface& surface, const Vec3& query, Sheet
     if (step < settled_step * probe.spacing()) break;
     if (step < probe.slack() * probe.spacing() && probe.place_at(center) == probe.place()) break;
   }
-  const Sheet& sheet = sheets->sheet[foot.sheets[0]];
-  result.position = center + surface.origin();
-  result.normal = normal_at(sheet, center);
-  result.curvature = curvatures_at(sheet, center);
+  result = point_on(sheets->sheet[foot.sheets[0]], center, result.status);
+  result.position += surface.origin();
   return result;
 }
 

@@ -23,9 +23,9 @@ constexpr double side_floor = 1e-4, side_noise = 0.3;  // [spacings], [standard 
 constexpr double exact_side = 0.05;
 constexpr double rare = 0.04,
                  rare_at_places =
-                     0.1;             // share of a noisy sheet's points that strayed over a crease
-constexpr double little_bend = 0.85, undecided = 0.1;  // cosine of normals; of a half
-constexpr double merge_noise = 1.15;  // [standard deviations]
+                     0.1;  // share of a noisy sheet's points that strayed over a crease
+constexpr double little_bend = 0.85, undecided = 0.1;   // cosine of normals; of a half
+constexpr double merge_noise = 1.15;                    // [standard deviations]
 constexpr double merge_cosine = 0.8, merge_ratio = 20;  // of normals; of an F-test on the residuals
 constexpr double most_cost = 9;                         // [variances] of a point on no sheet
 constexpr std::size_t fewest = 40;                   // points that are looked at by a narrowed look
@@ -266,8 +266,8 @@ void SheetSeparator::fit() {
   r_->sheets.count = kept;
 }
 
-// Over a crease with little bend noise carries many points, so there a sheet ends where the fewer of
-// its points are.
+// Over a crease with little bend noise carries many points, so there a sheet ends where the fewer
+// of its points are.
 void SheetSeparator::end_at_bends() {
   note_cosines();
   LocalSheets& sheets = r_->sheets;

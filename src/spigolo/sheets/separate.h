@@ -4,8 +4,8 @@
 // spigolo/sheets/separate.h - which sheets pass by a place, and which point lies on which
 #pragma once
 
-#include <span>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "spigolo/sheets/seeds.h"

@@ -37,6 +37,8 @@ class SheetProbe {
 
   double away() const { return away_; }        // of the last look's center from the nearest point
   double spacing() const { return spacing_; }  // at the last place
+  /// Of the point nearest to the last look's center.
+  const Sheet& own_sheet() const { return model_.own[nearest_.front().index]; }
   /// Place whose sheets the last look used, and the one a look at x would use.
   std::uint32_t place() const { return place_; }
   std::uint32_t place_at(const Vec3& x);

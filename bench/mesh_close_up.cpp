@@ -42,7 +42,7 @@ void draw_close_up(const std::vector<NamedMesh>& meshes, const SynthCloud& cloud
   std::vector<Panel> panels;
   for (const auto& [name, mesh] : meshes) {
     Panel panel{{}, name};
-    add_mesh(panel.scene, around(mesh, place, 2 * radius), false, true);
+    add_mesh(panel.scene, around(mesh, place, 2 * radius), false, colors == 0);
     panel.scene.lines.push_back(truth);
     panels.push_back(std::move(panel));
   }

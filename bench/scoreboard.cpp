@@ -56,6 +56,8 @@ double mean_of(const Contest& contest, std::size_t entry, double Entry::*value) 
   return sum;
 }
 
+std::string text_of(double mean) { return std::isnan(mean) ? "not on all" : number(mean, digits); }
+
 // The rival with the best mean: "0.841 (CGAL VCM)".
 std::string best_rival(const Contest& contest, double Entry::*value) {
   double best = not_a_number;
@@ -115,9 +117,8 @@ void Scoreboard::write_standings(Report& report) const {
   for (const Contest& c : contests_)
     rows.push_back({c.task, c.score + (c.better == Better::lower ? " (less is better)" : ""),
                     std::to_string(c.sets.size()), text_of(standing_of(c, &Entry::one)),
-                    text_of(standing_of(c, &Entry::best)),
-                    number(mean_of(c, 0, &Entry::one), digits), best_rival(c, &Entry::one),
-                    best_rival(c, &Entry::best)});
+                    text_of(standing_of(c, &Entry::best)), text_of(mean_of(c, 0, &Entry::one)),
+                    best_rival(c, &Entry::one), best_rival(c, &Entry::best)});
   report.table({"task", "score", "sets", "ours, one setting each", "ours, their best for each set",
                 "mean: ours", "best rival, one setting", "best rival, best for each set"},
                rows);

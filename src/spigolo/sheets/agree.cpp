@@ -21,6 +21,7 @@ constexpr double spread = 0.8;          // [spacings] creases this close may be 
 constexpr std::size_t least_votes = 5;  // of them, to be believed
 constexpr double parallel = 0.85;       // cosine of directions that agree
 constexpr double farthest = 2;          // [spacings] of a crease that may still pass the point
+constexpr double apart = 1.6;           // [spacings] between creases that are two
 constexpr double against = 0.7;         // of a vote: what one for a bend counts
 
 struct Vote {
@@ -28,8 +29,9 @@ struct Vote {
   const SheetVerdict* from = nullptr;
 };
 
-// The votes that agree best, in their order: around each in turn, the most others. At most 64.
-std::span<const Vote> largest_group(std::span<Vote> votes, double spacing) {
+// The number of votes that agree best, around each in turn the most others; they come to the front,
+// all stay in their order. At most 64.
+std::size_t put_largest_group_first(std::span<Vote> votes, double spacing) {
   std::array<std::uint64_t, asked + 1> with{};  // the votes that agree with each
   std::size_t best = 0;
   for (std::size_t a = 0; a < votes.size(); ++a) {
@@ -44,10 +46,12 @@ std::span<const Vote> largest_group(std::span<Vote> votes, double spacing) {
   }
   for (std::size_t a = 1; a < votes.size(); ++a)
     if (std::popcount(with[a]) > std::popcount(with[best])) best = a;
-  std::size_t kept = 0;
+  std::array<Vote, asked + 1> others;
+  std::size_t kept = 0, left = 0;
   for (std::size_t a = 0; a < votes.size(); ++a)
-    if (with[best] >> a & 1) votes[kept++] = votes[a];
-  return votes.first(kept);
+    (with[best] >> a & 1 ? votes[kept++] : others[left++]) = votes[a];
+  std::copy_n(others.begin(), left, votes.begin() + static_cast<std::ptrdiff_t>(kept));
+  return kept;
 }
 
 SheetVerdict mean_of(std::span<const Vote> votes) {
@@ -74,6 +78,27 @@ SheetVerdict mean_of(std::span<const Vote> votes) {
   return verdict;
 }
 
+// Of the creases that enough votes agree on, the one nearest to p: both rims of a thin plate and
+// all edges of a corner are heard.
+SheetVerdict nearest_crease(std::span<Vote> votes, const Vec3& p, double spacing, double least) {
+  SheetVerdict nearest;
+  double best = farthest * spacing;
+  while (votes.size() >= least_votes) {
+    const std::size_t n = put_largest_group_first(votes, spacing);
+    if (n < least_votes || static_cast<double>(n) < least) break;
+    const SheetVerdict mean = mean_of(votes.first(n));
+    if (const double away = distance(p, mean.crease_point); away <= best)
+      best = away, nearest = mean;
+    votes = votes.subspan(n);
+    const auto end = std::remove_if(votes.begin(), votes.end(), [&](const Vote& vote) {
+      return std::abs(dot(vote.from->direction, mean.direction)) > parallel &&
+             distance(vote.foot, mean.crease_point) < apart * spacing;
+    });
+    votes = votes.first(static_cast<std::size_t>(end - votes.begin()));
+  }
+  return nearest;
+}
+
 SheetVerdict ask(std::span<const Vec3> points, std::span<const std::uint32_t> neighbors,
                  const VerdictRows& proposals, std::uint32_t i, double spacing) {
   const SheetVerdict& own = proposals[i];
@@ -91,13 +116,8 @@ SheetVerdict ask(std::span<const Vec3> points, std::span<const std::uint32_t> ne
   };
   hear(i);
   for (const std::uint32_t j : neighbors.first(std::min(asked, neighbors.size()))) hear(j);
-  if (count < least_votes) return {};
-  const std::span<const Vote> group = largest_group(std::span(heard).first(count), spacing);
-  if (group.size() < least_votes ||
-      static_cast<double>(group.size()) < against * static_cast<double>(bends))
-    return {};
-  const SheetVerdict mean = mean_of(group);
-  return distance(points[i], mean.crease_point) > farthest * spacing ? SheetVerdict{} : mean;
+  return nearest_crease(std::span(heard).first(count), points[i], spacing,
+                        against * static_cast<double>(bends));
 }
 
 }  // namespace

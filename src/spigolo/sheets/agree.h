@@ -15,7 +15,8 @@ namespace spigolo {
 
 /// Each edge among `proposals` stands for a piece of straight crease, however far from its point.
 /// Every point takes the mean of those in its neighborhood that pass close to each other, if
-/// enough of them agree and outnumber the bends: the position becomes as certain as several fits.
+/// enough of them agree and outnumber the bends, of several such creases the nearest one: the
+/// position becomes as certain as several fits.
 /// How near that comes to the point, within two spacings, is asked later
 /// (drop_passed_by). Corners and borders stay. All
 /// from one snapshot.

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "blend_report.h"
 #include "cad_reader.h"
@@ -19,6 +20,7 @@
 #include "run.h"
 #include "spigolo/cad/step_writer.h"
 #include "spigolo/core/error.h"
+#include "spigolo/io/atomic_file.h"
 #include "spigolo/pipeline/mesh.h"
 #include "verbs.h"
 
@@ -191,20 +193,27 @@ PointCloud cloud_of(const Blend& blend) {
   return cloud;
 }
 
-void write_outputs(const BlendCommand& c, const CadFile& cad, const SharpBlend& result, Run& run) {
+// All of them appear, or none.
+void write_outputs(const BlendCommand& c, const CadFile& cad, const SharpBlend& result,
+                   const std::optional<MeshedCloud>& meshed, Run& run) {
   PointCloud cloud = cloud_of(result.blend);
   if (c.sharp) cloud = with_features(std::move(cloud), result.features);
-  const Job& job = run.job();  // an interrupt waits until the temporary files are gone
+  run.job();  // an interrupt waits until the temporary files are gone
+  std::vector<AtomicFile> files;
   for (const std::string& output : c.outputs)
     if (is_step(output)) {
       StepContent content;
       content.name = "collar";
       for (const NurbsSurface& collar : result.blend.collars) content.faces.push_back({collar, {}});
-      write_step(output, content, cad.unit().empty() ? "mm" : cad.unit());
+      files.emplace_back(output).write(step_text(content, cad.unit().empty() ? "mm" : cad.unit()));
     }
-  job.check();
   const auto ply = std::find_if_not(c.outputs.begin(), c.outputs.end(), is_step);
-  write_surface(*ply, FileFormat::ply, {std::move(cloud), {}}, run);
+  files.push_back(staged_surface(*ply, FileFormat::ply, {std::move(cloud), {}}, run));
+  if (meshed)
+    files.push_back(
+        staged_surface(c.mesh, file_format(c.mesh, FileUse::write_mesh), meshed->sharp.mesh, run));
+  run.job().check();
+  commit_all(files);
 }
 
 // The collar is never a crease; edges of the cloud are.
@@ -255,9 +264,7 @@ void run_blend(const std::vector<std::string>& arguments) {
   std::optional<MeshedCloud> meshed;
   if (!c.mesh.empty()) meshed = mesh_blend(cloud.points, c, result, run);
   const double seconds_mesh = run.lap();
-  write_outputs(c, cad, result, run);
-  if (meshed)
-    write_surface(c.mesh, file_format(c.mesh, FileUse::write_mesh), meshed->sharp.mesh, run);
+  write_outputs(c, cad, result, meshed, run);
 
   const Json parameters = parameters_used(line, c);
   save_parameters(c.common, help, parameters);

@@ -44,15 +44,13 @@ FileFormat output_format(const std::string& path, FileFormat of_stdout) {
   return file_format(path, faces_only ? FileUse::write_mesh : FileUse::write_cloud);
 }
 
-void write_surface(const std::string& path, FileFormat format, const TriangleMesh& mesh, Run& run,
-                   const WriteOptions& options) {
+AtomicFile staged_surface(const std::string& path, FileFormat format, const TriangleMesh& mesh,
+                          Run& run, const WriteOptions& options) {
   const bool with_faces = !mesh.triangles.empty() && holds_faces(format);
-  const Job& job = run.job();  // from here on an interrupt waits until the temporary file is gone
+  run.job();  // from here on an interrupt waits until the temporary file is gone
   AtomicFile out(path);
   const WriteReport report = with_faces ? write_mesh(out, format, mesh, options)
                                         : write_cloud(out, format, mesh.vertices, options);
-  job.check();
-  out.commit();
   if (!mesh.triangles.empty() && !with_faces)
     run.warn(path + " has no place for faces: " + count_text(mesh.triangles.size()) +
              " triangles are left out");
@@ -61,6 +59,14 @@ void write_surface(const std::string& path, FileFormat format, const TriangleMes
   if (report.rounding > 0)
     run.warn(path + ": coordinates are rounded by up to " + number_text(report.rounding) +
              " in this format");
+  return out;
+}
+
+void write_surface(const std::string& path, FileFormat format, const TriangleMesh& mesh, Run& run,
+                   const WriteOptions& options) {
+  AtomicFile out = staged_surface(path, format, mesh, run, options);
+  run.job().check();
+  out.commit();
 }
 
 void warn(const ReadReport& report, const std::string& path, Run& run) {

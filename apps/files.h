@@ -8,6 +8,7 @@
 
 #include "run.h"
 #include "spigolo/core/triangle_mesh.h"
+#include "spigolo/io/atomic_file.h"
 #include "spigolo/io/cloud_file.h"
 
 namespace spigolo {
@@ -21,6 +22,10 @@ TriangleMesh read_surface(const std::string& path, const Run& run, ReadReport& r
 
 /// How to write to standard output; a path's ending says it otherwise.
 FileFormat output_format(const std::string& path, FileFormat of_stdout);
+
+/// As write_surface, but the file appears only when it is committed.
+AtomicFile staged_surface(const std::string& path, FileFormat format, const TriangleMesh& mesh,
+                          Run& run, const WriteOptions& options = {});
 
 /// Writes points, or a mesh where it has triangles and the format holds them. Warns of everything
 /// the format has no place for.

@@ -4,8 +4,8 @@
 // apps/lines.cpp - spigolo lines: feature curves and corners for CAD
 #include "spigolo/pipeline/lines.h"
 
-#include <memory>
 #include <utility>
+#include <vector>
 
 #include "files.h"
 #include "report.h"
@@ -82,18 +82,18 @@ void check_door(LinesCommand& c) {
 // All of them appear, or none.
 void write_all(const LinesCommand& c, const Lines& lines, const Job& job) {
   const CurveFileOptions options{length_unit(c.unit), lines.detection.spacing};
-  std::vector<std::unique_ptr<AtomicFile>> files;
+  std::vector<AtomicFile> files;
   for (const std::string& output : c.outputs) {
-    files.push_back(std::make_unique<AtomicFile>(output));
+    files.emplace_back(output);
     if (is_step(output)) {
-      files.back()->write(step_text(lines.network, options.unit));
+      files.back().write(step_text(lines.network, options.unit));
       continue;
     }
     const CurveFormat format = output == "-" ? CurveFormat::ply : curve_format(output);
-    write_curves(*files.back(), format, lines.network, options);
+    write_curves(files.back(), format, lines.network, options);
   }
   job.check();
-  for (const auto& file : files) file->commit();
+  commit_all(files);
 }
 
 struct Counts {

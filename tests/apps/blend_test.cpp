@@ -4,6 +4,7 @@
 // spigolo blend: what its files and its JSON promise, and its messages
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "apps/program.h"
 #include "spigolo/cad/cad_file.h"
@@ -174,6 +175,14 @@ TEST_F(BlendVerb, damagedCadFilesNeverCrashTheProgram) {
     }
   }
   EXPECT_GT(refused, 14u);
+}
+
+TEST_F(BlendVerb, oneFullDiskLeavesNoOtherFile) {
+  std::filesystem::create_symlink("/dev/full", path("full.ply"));
+  const Outcome run =
+      run_program({"blend", cloud, tube, "-o", path("collar.step"), "-o", path("full.ply")});
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(path("collar.step")));
 }
 
 TEST_F(BlendVerb, badInputsEachWithTheirOwnMessage) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // spigolo lines: several outputs at once, the promises of its JSON, and clouds without features
+#include <filesystem>
+
 #include "apps/program.h"
 #include "spigolo/io/cloud_file.h"
 #include "spigolo/synth/synth.h"
@@ -80,6 +82,14 @@ TEST_F(LinesVerb, requireMakesNoFeatureAnError) {
   const Outcome run = run_program({"lines", cloud, "-o", path("e.dxf"), "--require"});
   EXPECT_EQ(run.status, 4);
   EXPECT_EQ(listing(), before);
+}
+
+TEST_F(LinesVerb, oneFullDiskLeavesNoOtherFile) {
+  std::filesystem::create_symlink("/dev/full", path("full.ply"));
+  const Outcome run =
+      run_program({"lines", cube(), "-o", path("edges.json"), "-o", path("full.ply")});
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_EQ(listing(), (std::vector<std::string>{"cube.ply", "full.ply"}));
 }
 
 TEST_F(LinesVerb, refusesWhatItCannotWrite) {

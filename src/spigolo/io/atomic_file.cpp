@@ -131,6 +131,11 @@ void AtomicFile::fail(int reason) {
               (full ? "; make room on the disk or choose another" : ""));
 }
 
+void commit_all(std::vector<AtomicFile>& files) {
+  for (AtomicFile& file : files) file.flush();
+  for (AtomicFile& file : files) file.commit();
+}
+
 void check_writable(const std::filesystem::path& path) {
   struct stat status {};
   // Opening a pipe would wait for its reader.

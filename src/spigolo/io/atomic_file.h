@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace spigolo {
 
@@ -26,10 +27,11 @@ class AtomicFile {
   void write(std::string_view bytes);
   /// Flushes to the disk and renames; nothing may be written afterwards. Throws Error on failure.
   void commit();
+  /// Hands over what was written so far: a full disk refuses it here, before anything is renamed.
+  void flush();
 
  private:
   void open_beside_target();
-  void flush();
   [[noreturn]] void fail(int reason);
 
   std::string name_;                 // as the user gave it
@@ -38,6 +40,9 @@ class AtomicFile {
   std::string buffer_;
   int descriptor_ = -1;
 };
+
+/// All of them appear or, where the disk has no room for one, none.
+void commit_all(std::vector<AtomicFile>& files);
 
 /// Throws UsageError, with path and remedy, if an AtomicFile could not be made there; leaves
 /// nothing behind. For asking before a long computation starts.

@@ -17,7 +17,7 @@
 namespace spigolo {
 namespace {
 
-constexpr int channels = 3;
+constexpr std::size_t channels = 3;
 constexpr int rounds = 4;  // of nearest means; more change hardly a pixel
 
 using Rgb = std::array<double, channels>;
@@ -47,7 +47,7 @@ std::map<std::uint32_t, Shade> shades_of(const Image& image) {
 struct Box {
   std::vector<Shade*> shades;
   Rgb mean{};
-  int channel = 0;
+  std::size_t channel = 0;
   double scatter = 0;
 
   explicit Box(std::vector<Shade*> members) : shades(std::move(members)) {
@@ -55,12 +55,12 @@ struct Box {
     Rgb sum{}, squares{};
     for (const Shade* s : shades) {
       all += s->pixels;
-      for (int c = 0; c < channels; ++c) {
+      for (std::size_t c = 0; c < channels; ++c) {
         sum[c] += s->pixels * s->rgb[c];
         squares[c] += s->pixels * s->rgb[c] * s->rgb[c];
       }
     }
-    for (int c = 0; c < channels; ++c) {
+    for (std::size_t c = 0; c < channels; ++c) {
       mean[c] = sum[c] / all;
       const double along = squares[c] - sum[c] * mean[c];
       if (shades.size() > 1 && along > scatter) scatter = along, channel = c;
@@ -97,7 +97,8 @@ std::size_t nearest(const std::vector<Rgb>& means, const Rgb& rgb) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < means.size(); ++m) {
     double sum = 0;
-    for (int c = 0; c < channels; ++c) sum += (means[m][c] - rgb[c]) * (means[m][c] - rgb[c]);
+    for (std::size_t c = 0; c < channels; ++c)
+      sum += (means[m][c] - rgb[c]) * (means[m][c] - rgb[c]);
     if (sum < least) least = sum, best = m;
   }
   return best;
@@ -112,10 +113,10 @@ void settle(const std::vector<Shade*>& shades, std::vector<Rgb>& means) {
     std::vector<double> all(means.size());
     for (const Shade* s : shades) {
       all[s->entry] += s->pixels;
-      for (int c = 0; c < channels; ++c) sum[s->entry][c] += s->pixels * s->rgb[c];
+      for (std::size_t c = 0; c < channels; ++c) sum[s->entry][c] += s->pixels * s->rgb[c];
     }
     for (std::size_t m = 0; m < means.size(); ++m)
-      for (int c = 0; c < channels && all[m] > 0; ++c) means[m][c] = sum[m][c] / all[m];
+      for (std::size_t c = 0; c < channels && all[m] > 0; ++c) means[m][c] = sum[m][c] / all[m];
   }
 }
 

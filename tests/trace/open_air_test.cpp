@@ -98,7 +98,8 @@ TEST(OpenAir, AClosedRimOpensWhereTheSlotIs) {
   for (int i = 0; i < 18; ++i) {
     const double a = 2 * pi * i / 18;
     if (a > 1 && a < 1 + half_pi) continue;
-    points.push_back(at(a));
+    for (double depth = 0; depth < 4; ++depth) points.push_back(at(a) - Vec3{0, 0, depth});
+    for (double wide = 1; wide < 4; ++wide) points.push_back(at(a) * (1 + wide / radius));
     draft.members.push_back({a * radius, static_cast<std::uint32_t>(samples.size())});
     samples.push_back({at(a), {-std::sin(a), std::cos(a), 0}, half_pi});
   }

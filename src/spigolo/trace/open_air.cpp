@@ -20,6 +20,9 @@ constexpr double widest_mouth = 6;       // [spacings] of a slot that a chain ma
 constexpr double narrowest_mouth = 1.2;  // [spacings] between its walls, which are ...
 constexpr double wall = 0.3;             // [spacings] ... so thick
 constexpr double beside_mouth = 1.5;  // [spacings] round the chain: sheets of a crease have points
+constexpr double sparse_reach = 6;    // [spacings] to the sample that tells how dense they are
+constexpr double patch = 3;           // [spacings] round it in which they are counted
+constexpr double usual = 1.3;         // times the spacing: so uneven are samples of one density
 constexpr double look_step = 0.25;    // [spacings] along a curve
 constexpr double least_apart = 0.3;   // [spacings] places of a guide
 constexpr double least_arc = 4;       // [spacings] of a rim that is left
@@ -29,8 +32,22 @@ struct Stretch {
   double from = 0, to = 0;
 };
 
+// How many times the spacing samples are apart near a place, where they are sparse; else 1.
+double sparseness(const Survey& survey, const Vec3& p) {
+  const auto near = survey.points_near(p, sparse_reach);
+  if (near.empty()) return 1;
+  const Vec3 nearest = *std::min_element(near.begin(), near.end(), [&](auto& a, auto& b) {
+    return squared_distance(a, p) < squared_distance(b, p);
+  });
+  const auto count = static_cast<double>(survey.points_near(nearest, patch).size());
+  return std::max(1.0, patch * std::sqrt(pi / count) / usual);
+}
+
 bool is_bare(const Survey& survey, const Vec3& p, double radius) {
-  return survey.points_near(p, radius + by_noise * survey.noise()).empty();
+  const double r = radius + by_noise * survey.noise();
+  if (!survey.points_near(p, r).empty()) return false;
+  const double times = sparseness(survey, p);
+  return times <= 1 || survey.points_near(p, r * times).empty();
 }
 
 // Bare stretches between the first and the last step of a guide; of a closed one the steps begin
@@ -137,7 +154,8 @@ bool spans_a_mouth(const RawCurve& curve, const Guide& guide, const Survey& surv
       guide.length() > widest_mouth || half < narrowest_mouth / 2)
     return false;
   const Vec3 middle = guide.at(guide.length() / 2), t = guide.direction(guide.length() / 2);
-  const auto near = survey.points_near(middle, std::hypot(beside_mouth, half));
+  const double wide = beside_mouth * sparseness(survey, middle);
+  const auto near = survey.points_near(middle, std::hypot(wide, half));
   return std::none_of(near.begin(), near.end(),
                       [&](const Vec3& p) { return std::abs(dot(p - middle, t)) < half; });
 }

@@ -15,13 +15,16 @@ namespace {
 constexpr std::size_t grain = 1024;
 constexpr double tiny = 1e-300;       // farther off the sheets than a double can tell
 constexpr double probable = 0.3;      // so likely, a crease is said to pass
+constexpr double vague = 0.27;        // ... in much noise, where places are blurred
 constexpr double probable_row = 0.5;  // or a sample to be one of a row on it
 // [spacings] Beside a row on the crease lies no other sample; on a lattice the next row is one
 // spacing away, else they may be anywhere beyond; both are thought as likely. From the end on no
 // difference is made.
 constexpr double bare = 0.6, next_row = 1, undisturbed = 1.5, on_lattice = 0.5;
 constexpr double sharpest = radians(115);  // the places of more acute creases are too uncertain
-constexpr double blurred = 0.35;           // [spacings] of noise: rows cannot be told any more
+// [spacings] Noise from which rows cannot be told any more: where there may be some, a crease must
+// pass as close as if there were, or each is marked along with what lies beside it.
+constexpr double blurred = 0.35;
 // Log of odds: a sample, and all together, must speak for rows.
 constexpr double clear = 0.02, clear_in_all = 20;
 
@@ -83,7 +86,6 @@ double nearest_distance(std::span<const Vec3> points, const Neighborhoods& neigh
 // Whether rows on creases explain the samples about the agreed creases better than any place does.
 bool are_on_creases(std::span<const Vec3> points, const Spacing& spacing, const VerdictRows& agreed,
                     double noise) {
-  if (noise > blurred) return false;
   double evidence = 0, count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double s = spacing.of_point[i];
@@ -98,14 +100,17 @@ bool are_on_creases(std::span<const Vec3> points, const Spacing& spacing, const 
 
 SamplePlaces find_sample_places(std::span<const Vec3> points, const Neighborhoods& neighborhoods,
                                 const Spacing& spacing, const VerdictRows& agreed, double noise) {
-  return {std::max(SamplePlaces{}.near, nearest_distance(points, neighborhoods, spacing)),
-          are_on_creases(points, spacing, agreed, noise)};
+  SamplePlaces places;
+  if (noise > blurred) return places;
+  places.near = std::max(places.near, nearest_distance(points, neighborhoods, spacing));
+  places.on_creases = are_on_creases(points, spacing, agreed, noise);
+  return places;
 }
 
 VerdictRows drop_passed_by(std::span<const Vec3> points, const Spacing& spacing,
                            const SamplePlaces& places, double noise, const VerdictRows& verdicts,
                            const Job& job) {
-  const double least = places.on_creases ? probable_row : probable;
+  const double least = places.on_creases ? probable_row : noise > blurred ? vague : probable;
   const auto passes = [&](const SheetVerdict& v, std::size_t i) {
     return v.kind != PointKind::edge ||
            passing_probability(v, points[i], spacing.of_point[i], places, noise) >= least;

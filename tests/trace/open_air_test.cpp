@@ -54,6 +54,17 @@ TEST(OpenAir, GapsBetweenSamplesAreNone) {
   EXPECT_EQ(network.curves[0].chain.places.size(), 31U);
 }
 
+// It leaves its samples at a bend and comes back to them where it left.
+TEST(OpenAir, AGuideThatSwingsOutHasCrossedNothing) {
+  const Survey survey(sheet(10, 10), CreaseSamples{}, 0, {});
+  RawNetwork network = along_x(false);
+  auto& places = network.curves[0].chain.places;
+  places.insert(places.begin() + 15, {{14, 0, 1}, {14.5, 0, 3}, {15, 0, 1}});
+  cut_open_air(network, survey, 0);
+  ASSERT_EQ(network.curves.size(), 1U);
+  EXPECT_EQ(network.curves[0].chain.places.size(), 34U);
+}
+
 TEST(OpenAir, TheEndWithACornerKeepsIt) {
   const Survey survey(sheet(10, 16), CreaseSamples{}, 0, {});
   RawNetwork network = along_x(true);

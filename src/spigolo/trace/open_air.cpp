@@ -51,14 +51,15 @@ bool is_bare(const Survey& survey, const Vec3& p, double radius) {
 }
 
 // Bare stretches between the first and the last step of a guide; of a closed one the steps begin
-// at one that is not bare.
+// at one that is not bare. They are as long as their ends are apart: a guide that leaves its
+// samples at a tight bend and comes back to them has not crossed a gap.
 std::vector<Stretch> air_along(const Guide& guide, const Survey& survey) {
   const auto count = static_cast<std::size_t>(std::ceil(guide.length() / look_step));
   const double step = guide.length() / static_cast<double>(count);
   const std::size_t steps = guide.closed ? count : count + 1;
+  const auto place = [&](std::size_t k) { return guide.at(static_cast<double>(k % steps) * step); };
   std::vector<char> air(steps);
-  for (std::size_t k = 0; k < steps; ++k)
-    air[k] = is_bare(survey, guide.at(static_cast<double>(k) * step), bare);
+  for (std::size_t k = 0; k < steps; ++k) air[k] = is_bare(survey, place(k), bare);
   std::size_t first = 0;
   while (guide.closed && first < steps && air[first]) ++first;
   std::vector<Stretch> found;
@@ -67,8 +68,8 @@ std::vector<Stretch> air_along(const Guide& guide, const Survey& survey) {
     const std::size_t begin = k;
     bool barest_seen = false;
     for (; k < first + steps && air[k % steps]; ++k)
-      barest_seen |= is_bare(survey, guide.at(static_cast<double>(k % steps) * step), barest);
-    if (barest_seen && static_cast<double>(k - begin) * step >= least_air)
+      barest_seen |= is_bare(survey, place(k), barest);
+    if (barest_seen && distance(place(begin), place(k - 1)) + step >= least_air)
       found.push_back({static_cast<double>(begin) * step, static_cast<double>(k - 1) * step});
   }
   return found;

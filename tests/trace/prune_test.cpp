@@ -1,9 +1,10 @@
 // Copyright 2026 The spigolo authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// trace: what pruning makes of networks that were cut to pieces
+// trace: what joining and pruning make of chains, and of networks that were cut to pieces
 #include <gtest/gtest.h>
 
+#include "spigolo/trace/guide.h"
 #include "spigolo/trace/junctions.h"
 
 namespace spigolo {
@@ -58,6 +59,23 @@ TEST(Prune, aRingInPiecesIsClosed) {
   ASSERT_EQ(network.curves.size(), 1u);
   EXPECT_TRUE(network.curves[0].chain.closed);
   EXPECT_EQ(network.curves[0].chain.places.size(), 72u);
+}
+
+// One of three chains runs past the corner they meet in, on and a little to the side.
+TEST(Join, anEndThatRunsPastItsCornerDoesNotDoubleBack) {
+  std::vector<Chain> chains(3);
+  for (int k = 1; k <= 15; ++k) {
+    chains[0].places.push_back({1.0 * k, 0, 0});
+    chains[1].places.push_back({0, 1.0 * k, 0});
+  }
+  for (int k = -1; k <= 15; ++k) chains[2].places.push_back({0.1, 0.1, k + 0.2});
+  const RawNetwork network = join_chains(chains, {}, 0);
+  ASSERT_EQ(network.curves.size(), 3u);
+  ASSERT_EQ(network.junctions.size(), 1u);
+  for (const RawCurve& curve : network.curves) {
+    const Guide guide = guide_of(curve, network.junctions);
+    EXPECT_LT(guide.length(), distance(guide.places.front(), guide.places.back()) + 0.1);
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "spigolo/trace/junctions.h"
 #include "spigolo/trace/place_grid.h"
@@ -164,16 +165,24 @@ class Cutter {
     end_junction_[end.chain][static_cast<std::size_t>(end.side)] = end.junction;
   }
 
+  // Whether the first of some places says nothing beside the junction they begin at: it is there,
+  // or beyond, so that the curve would double back.
+  bool stands_for(int junction, std::span<const Vec3> places) const {
+    if (junction == no_junction || places.empty()) return false;
+    const Vec3 off = places[0] - network_.junctions[static_cast<std::size_t>(junction)];
+    return norm(off) < clear || (places.size() > 1 && dot(off, places[1] - places[0]) < 0);
+  }
+
   // Adds one piece, without the places that its junctions stand for.
   void add_piece(RawCurve curve) {
     auto& places = curve.chain.places;
-    const auto at_junction = [&](const Vec3& place, int side) {
-      const int j = curve.junction[static_cast<std::size_t>(side)];
-      return j != no_junction &&
-             distance(network_.junctions[static_cast<std::size_t>(j)], place) < clear;
-    };
-    while (!places.empty() && at_junction(places.front(), 0)) places.erase(places.begin());
-    while (!places.empty() && at_junction(places.back(), 1)) places.pop_back();
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (side == 1) std::reverse(places.begin(), places.end());
+      std::size_t gone = 0;
+      while (stands_for(curve.junction[side], std::span(places).subspan(gone))) ++gone;
+      places.erase(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(gone));
+      if (side == 1) std::reverse(places.begin(), places.end());
+    }
     const bool bounded = curve.junction[0] != no_junction && curve.junction[1] != no_junction;
     const bool loop = curve.junction[0] == curve.junction[1];
     if (places.size() + (bounded && !loop ? 1 : 0) >= (loop && bounded ? 3u : 2u) ||

@@ -193,6 +193,25 @@ TEST(Mesher, BadOptionsAndEmptyInput) {
   EXPECT_THROW(build_mesh(nothing, {}), NoResultError);
 }
 
+// Points left out may be noise, and a crease in the air a mistake; many of both are no surface.
+TEST(Mesher, ManyPointsAndCreasesLeftOutAreRefused) {
+  Case c = make_case("cube", Sampling::blue, 1500);
+  const double h = c.surface.spacing;
+  const auto far = [&](std::size_t i) {
+    return Vec3{100 + 5 * static_cast<double>(i) * h, 10, 10};
+  };
+  for (std::size_t i = 0; i < c.surface.points.size() / 10; ++i) c.surface.loose.push_back(far(i));
+  const SharpMesh sharp = build_mesh(c.surface, c.network);
+  EXPECT_EQ(sharp.uncovered, c.surface.loose.size());
+  FeatureCurve in_air;
+  for (std::size_t i = 0; i < 200; ++i) in_air.points.push_back(far(i));
+  in_air.angle.assign(in_air.points.size(), 1);
+  c.network.curves.push_back(in_air);
+  EXPECT_THROW(build_mesh(c.surface, c.network), NoResultError);
+  c.surface.loose.clear();
+  EXPECT_EQ(build_mesh(c.surface, c.network).uncovered, 0U);
+}
+
 TEST(Shading, ACubeHasSixPatchesWithFlatNormals) {
   const Case c = make_case("cube", Sampling::lattice, 600);
   const SharpMesh sharp = build_mesh(c.surface, c.network);

@@ -27,6 +27,9 @@ namespace {
 constexpr double narrow_hole = 3;  // [edges] across; triangles from border to border will do
 constexpr int most_repairs = 8, closing_repairs = 2;
 constexpr double largest_share_of_faults = 0.15;  // of the triangles and of the points left out
+constexpr double no_slip = 0.05;      // the same, where it takes creases along: more than chance
+constexpr double most_creases = 0.2;  // share of their edges that is no edge of the mesh; of
+                                      // surfaces 0.02, of points on edges only 0.4
 
 void close_holes(double step, const MesherOptions& options, SharpMesh& result, const Job& job) {
   TriangleMesh& mesh = result.mesh;
@@ -82,7 +85,8 @@ void take_faults_away(double step, const MesherOptions& options, SharpMesh& resu
   }
 }
 
-// More faults and points left out than a surface has.
+// More faults and points left out than a surface has, or fewer along with many creases: around
+// points on edges only the mesh follows neither.
 void refuse_rubble(const SurfacePoints& surface, const SharpMesh& result) {
   const auto share = [](std::size_t part, std::size_t whole) {
     return static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(whole, 1));
@@ -91,11 +95,15 @@ void refuse_rubble(const SurfacePoints& surface, const SharpMesh& result) {
   const std::size_t left = result.mesh.triangles.size();
   const double faults = share(result.faults_taken, left + result.faults_taken),
                missed = share(result.uncovered, surface.points.size());
-  if (left == 0 || faults + missed > largest_share_of_faults)
+  const MeshCheck& check = result.check;
+  const double lost = share(check.crease_edges - check.crease_edges_kept, check.crease_edges),
+               largest = lost > most_creases ? no_slip : largest_share_of_faults;
+  if (left == 0 || faults + missed > largest)
     throw NoResultError(
         "the points do not hold together as a surface: a mesh of them would leave "
         "out " +
-        percent(missed) + " of the points, and " + percent(faults) +
+        percent(missed) + " of the points and " + percent(lost) + " of the creases, and " +
+        percent(faults) +
         " of its triangles would run into each other; is the cloud more than "
         "noise, and are there points on its faces, not on its edges only?");
 }

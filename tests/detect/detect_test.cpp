@@ -100,6 +100,17 @@ TEST_P(DetectBy, MovingTurningAndScalingChangeNoVerdict) {
   EXPECT_EQ(c.outliers, 0u);
 }
 
+// With noise, too: which folds are looked for where favors no axes and no order.
+TEST(Detect, TurningANoisyCloudChangesNoVerdict) {
+  for (const std::uint64_t seed : {7, 10, 11}) {
+    SynthOptions options{.shape = "l-prism", .sampling = Sampling::blue, .points = 3000};
+    options.noise = 0.25, options.seed = seed;
+    const std::vector<Vec3> points = make_cloud(options).cloud.points;
+    EXPECT_EQ(detect(transformed(points, 1, {})).features.kind, detect(points).features.kind)
+        << seed;
+  }
+}
+
 TEST_P(DetectBy, OrderAndThreadsChangeNoVerdict) {
   const SynthCloud s = synth("planes");
   const auto reference = run(s.cloud.points);

@@ -27,6 +27,7 @@ constexpr double poor_fit = 1.7;  // [standard deviations] of what is more than 
 constexpr double freedom = 9;     // of quadric, fold, angle and offset
 // A fold this sharp has two heights over the plane, or is the end of a thin plate with both walls.
 constexpr double sharpest = radians(115);
+constexpr double upright = 1e-3;    // share of its length that gives a direction in the plane
 constexpr double dependent = 1e-9;  // share of a column left by the others
 
 double dot_product(const double* a, const double* b, std::size_t n) {
@@ -36,6 +37,12 @@ double dot_product(const double* a, const double* b, std::size_t n) {
     for (std::size_t l = 0; l < 4; ++l) sum[l] += a[i + l] * b[i + l];
   for (; i < n; ++i) sum[0] += a[i] * b[i];
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+// The lines that are tried are turned from here, so they must turn with the cloud.
+Vec3 in_plane(const Vec3& d, const Vec3& normal) {
+  const Vec3 level = d - normal * dot(d, normal);
+  return norm(level) > upright * norm(d) ? normalized(level) : any_perpendicular(normal);
 }
 
 void subtract(double* a, const double* b, double factor, std::size_t n) {
@@ -53,7 +60,7 @@ void HingeTest::set_frame(std::span<const Vec3> points, double spacing) {
   Symmetric3 scatter;
   for (const Vec3& p : points) scatter.add((p - points[0] - mean) / spacing);
   normal_ = smallest_axis(scatter).axis;
-  u_ = any_perpendicular(normal_);
+  u_ = in_plane(points.back() - points[0], normal_);
   v_ = cross(normal_, u_);
   for (std::vector<double>* column : {&x_, &y_, &w_}) column->resize(n_);
   radius_ = 0;

@@ -25,8 +25,8 @@ constexpr double beside = 2.5;       // [spacings] along it: a sheet may end els
 constexpr double least_depth = 0.3;  // [spacings] of a sheet's points from its nearest row on
 // An end: the sheet has nothing in such a sector, and all that lies there is steeply off it.
 constexpr double end_gap = radians(150), bend_margin = 0.64, bend_slope = 0.36;  // sine, tangent
-constexpr double off_reach = 2;
-constexpr double crest = 1.3;  // [spacings] the width of a crest that has no samples of its own
+constexpr double off_reach = 2;  // [spacings] so close the surface goes on
+constexpr double crest = 1.3;    // [spacings] the width of a crest that has no samples of its own
 constexpr std::size_t least_off = 2;
 constexpr std::size_t least_on_both = 2, least_on_side = 3;
 

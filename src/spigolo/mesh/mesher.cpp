@@ -28,8 +28,9 @@ constexpr double narrow_hole = 3;  // [edges] across; triangles from border to b
 constexpr int most_repairs = 8, closing_repairs = 2;
 constexpr double largest_share_of_faults = 0.15;  // of the triangles and of the points left out
 constexpr double no_slip = 0.05;      // the same, where it takes creases along: more than chance
-constexpr double most_creases = 0.2;  // share of their edges that is no edge of the mesh; of
-                                      // surfaces 0.02, of points on edges only 0.4
+constexpr double most_creases = 0.2;  // share of their edges that is no edge of the mesh: of clean
+                                      // surfaces 0.02, of points on edges only 0.4; with noise as
+                                      // large as the spacing 0.19, but then no points are left out
 
 void close_holes(double step, const MesherOptions& options, SharpMesh& result, const Job& job) {
   TriangleMesh& mesh = result.mesh;

@@ -66,7 +66,8 @@ class SheetSeparator {
   const SheetModel& model_;
   SheetSeeder seeder_;
   double unit_;  // [spacings] standard deviation of a point that lies on a sheet
-  double rare_;  // share of a sheet's points that may have strayed over a crease
+  static constexpr double rare = 0.04, rare_at_places = 0.1;
+  double rare_;  // share of a noisy sheet's points that may have strayed over a crease
   SheetRegion* r_ = nullptr;
   std::vector<Vec3> looked_at_;
   std::vector<double> weights_, heights_;

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "spigolo/core/parallel.h"
+#include "spigolo/sheets/bend.h"
 #include "spigolo/sheets/label_hints.h"
 #include "spigolo/sheets/separate.h"
 #include "spigolo/sheets/sheet_model.h"
@@ -30,7 +32,7 @@ constexpr int try_rounds = 2;
 constexpr double price_of_sheet = 15;
 // [spacings] with more noise, sheets that might be one are one: two of them would follow the noise.
 constexpr double noise_joins = 0.4;
-constexpr int label_rounds = 4;
+constexpr int label_rounds = 4, fold_rounds = 4;
 constexpr double better = 2;  // by how much a score must be better to count
 
 double size_of_place(const ProbeReach& reach) {
@@ -81,6 +83,11 @@ LocalSheets without(LocalSheets sheets, std::size_t s) {
   return sheets;
 }
 
+bool any_bent(const LocalSheets& sheets) {
+  return std::any_of(sheets.sheet.begin(), sheets.sheet.begin() + sheets.count,
+                     [](const Sheet& s) { return s.is_curved(); });
+}
+
 // One thread's means to find the sheets of one place after the other.
 class PlaceWork {
  public:
@@ -99,7 +106,7 @@ class PlaceWork {
     return found;
   }
 
-  // The same without each of its sheets; then what places near it have.
+  // The same without each of its sheets; a fold; then what places near it have.
   PlaceSheets improve(std::uint32_t place, const std::vector<PlaceSheets>& last) {
     const SheetPlaces& places = model_.places;
     PlaceSheets best = last[places.known[place]];
@@ -107,6 +114,7 @@ class PlaceWork {
     region_.sheets = best.sheets;
     best.score = separator_.score(region_);
     try_fewer(best);
+    try_fold(best);
     for (const std::uint32_t other : worth_trying(place, last))
       try_sheets(last[places.known[other]].sheets, best);
     return best;
@@ -140,6 +148,17 @@ class PlaceWork {
   void try_fewer(PlaceSheets& best) {
     const LocalSheets own = best.sheets;
     for (std::size_t s = 0; s < own.count && own.count > 1; ++s) try_sheets(without(own, s), best);
+  }
+
+  // A single look often bends a sheet over a crease of little bend, and no neighbor knows better.
+  void try_fold(PlaceSheets& best) {
+    if (best.sheets.count > 2 || !any_bent(best.sheets)) return;
+    separator_.take_one(region_);
+    take_if_better(best);
+    const std::optional<LocalSheets> fold = fold_at_bend(region_, region_.sheets.sheet[0]);
+    if (!fold) return;
+    separator_.start_from(*fold, region_, fold_rounds);
+    take_if_better(best);
   }
 
   void try_sheets(const LocalSheets& sheets, PlaceSheets& best) {

@@ -46,7 +46,7 @@ ProbeReach reach_of_places(const ProbeReach& reach);
 /// Fills model.places; needs model.plain. By falling spacing, a point near no place becomes one;
 /// points belong to the nearest one. So a turned cloud has the same places. Where there may be
 /// several sheets they are sought there; with noise each place then tries the sheets that its
-/// neighbors have found, and keeps what explains its points best.
+/// neighbors have found, and a fold, and keeps what explains its points best.
 void separate_places(SheetModel& model, const KdTree& tree, const ProbeReach& reach,
                      const Job& job = {});
 

@@ -78,5 +78,25 @@ TEST(Join, anEndThatRunsPastItsCornerDoesNotDoubleBack) {
   }
 }
 
+// Two junctions a spacing apart, and a tail that runs out from one and back to the other.
+TEST(Prune, aCornerSeenTwiceIsOne) {
+  RawNetwork network;
+  network.junctions = {{0, 0, 0}, {0, 0, 0.8}};
+  network.curves.resize(4);
+  for (int k = 1; k <= 10; ++k) {
+    network.curves[0].chain.places.push_back({1.0 * k, 0, 0});
+    network.curves[1].chain.places.push_back({0, 1.0 * k, 0});
+    network.curves[2].chain.places.push_back({0, 0, 1.0 + k});
+  }
+  network.curves[3].chain.places = {{-1, 0, 0.4}};
+  network.curves[0].junction = network.curves[1].junction = {0, no_junction};
+  network.curves[2].junction = {1, no_junction};
+  network.curves[3].junction = {0, 1};
+  network = prune(std::move(network), least);
+  ASSERT_EQ(network.curves.size(), 3u);
+  ASSERT_EQ(network.junctions.size(), 1u);
+  for (const RawCurve& curve : network.curves) EXPECT_EQ(curve.junction[0], 0);
+}
+
 }  // namespace
 }  // namespace spigolo

@@ -104,6 +104,16 @@ TEST(Trace, noiseMovesTheCurvesLessThanThePoints) {
   }
 }
 
+// Ends stray there before they run past their corner, or stop beside it.
+TEST(Trace, noiseLeavesThreeEdgesToEachCornerOfABox) {
+  for (const Sampling sampling : {Sampling::lattice, Sampling::blue, Sampling::random}) {
+    const Traced t = trace_shape("box", sampling, 0, 0.25);
+    EXPECT_EQ(t.network().curves.size(), 12u);
+    ASSERT_EQ(t.network().corners.size(), 8u);
+    for (const FeatureCorner& corner : t.network().corners) EXPECT_EQ(corner.valence, 3);
+  }
+}
+
 TEST(Trace, smoothShapesHaveNoCurves) {
   for (const char* shape : {"sphere", "torus", "fillet-box"})
     EXPECT_TRUE(trace_shape(shape, Sampling::blue).network().curves.empty()) << shape;

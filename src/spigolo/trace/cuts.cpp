@@ -16,6 +16,8 @@ namespace {
 constexpr double side_step = 0.5;      // [spacings] between the places a chain's side is known by
 constexpr double end_reach = 4;        // [spacings] an end looks ahead for a side
 constexpr double end_overshoot = 1.5;  // and back
+constexpr double noisy_overshoot = 4;  // [scatters] more where samples scatter ...
+constexpr double noisy_join = 2;       // [scatters] ... and round a junction
 constexpr double own_length = 6;       // [spacings] of its own chain that an end does not run onto
 constexpr double pass_reach = 0.4;     // [spacings] a chain that near a junction runs through it
 constexpr double join_reach = 1;       // [spacings] an end that near a junction belongs to it
@@ -136,8 +138,10 @@ class Cutter {
     double least = infinity;
     junction_grid_.within(end.model.place, end_reach + 1, [&](std::uint32_t j) {
       const Passing p = passing(end, network_.junctions[j]);
-      if (p.u < -end_overshoot || p.u > end_reach || p.distance >= least) return;
-      if (p.distance > join_reach && p.distance > 2 * meeting_tolerance(p.u, scatter_)) return;
+      const double back = end_overshoot + noisy_overshoot * scatter_;
+      if (p.u < -back || p.u > end_reach || p.distance >= least) return;
+      const double round = join_reach + noisy_join * scatter_;
+      if (p.distance > round && p.distance > 2 * meeting_tolerance(p.u, scatter_)) return;
       least = p.distance;
       best = static_cast<int>(j);
     });

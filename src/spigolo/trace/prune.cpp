@@ -167,6 +167,25 @@ bool mend(RawNetwork& network) {
   return changed;
 }
 
+// Two junctions that lie together and that a short curve joins are one corner seen twice, as noise
+// does it where an end runs past the corner. The curve goes; the junction of more ends stays.
+void unite_corners(RawNetwork& network, double least, double near) {
+  const EndsAt ends = ends_at_junctions(network);
+  const auto count = [&](int j) { return ends[static_cast<std::size_t>(j)].size(); };
+  for (RawCurve& curve : network.curves) {
+    auto [stays, goes] = curve.junction;
+    if (stays == no_junction || goes == no_junction || stays == goes) continue;
+    const Vec3& a = network.junctions[static_cast<std::size_t>(stays)];
+    const Vec3& b = network.junctions[static_cast<std::size_t>(goes)];
+    if (distance(a, b) > near || guide_of(curve, network.junctions).length() > least) continue;
+    if (count(stays) < count(goes)) std::swap(stays, goes);
+    curve.chain.places.clear();
+    for (RawCurve& other : network.curves)
+      std::replace(other.junction.begin(), other.junction.end(), goes, stays);
+  }
+  std::erase_if(network.curves, [](const RawCurve& c) { return c.chain.places.empty(); });
+}
+
 void renumber(RawNetwork& network) {
   std::vector<int> number(network.junctions.size(), no_junction);
   std::vector<Vec3> kept;
@@ -186,6 +205,7 @@ void renumber(RawNetwork& network) {
 }  // namespace
 
 RawNetwork prune(RawNetwork network, double least) {
+  unite_corners(network, least, least / 4);
   bool changed = true;  // each change leaves fewer curves or fewer ends at junctions
   for (int round = 0; changed; ++round) {
     const std::size_t before = network.curves.size();

@@ -171,18 +171,25 @@ bool mend(RawNetwork& network) {
 // does it where an end runs past the corner. The curve goes; the junction of more ends stays.
 void unite_corners(RawNetwork& network, double least, double near) {
   const EndsAt ends = ends_at_junctions(network);
+  std::vector<int> other(ends.size(), no_junction);  // what a junction has become
+  const auto now = [&](int j) {
+    while (j != no_junction && other[static_cast<std::size_t>(j)] != no_junction)
+      j = other[static_cast<std::size_t>(j)];
+    return j;
+  };
   const auto count = [&](int j) { return ends[static_cast<std::size_t>(j)].size(); };
   for (RawCurve& curve : network.curves) {
-    auto [stays, goes] = curve.junction;
+    int stays = now(curve.junction[0]), goes = now(curve.junction[1]);
     if (stays == no_junction || goes == no_junction || stays == goes) continue;
     const Vec3& a = network.junctions[static_cast<std::size_t>(stays)];
     const Vec3& b = network.junctions[static_cast<std::size_t>(goes)];
     if (distance(a, b) > near || guide_of(curve, network.junctions).length() > least) continue;
     if (count(stays) < count(goes)) std::swap(stays, goes);
     curve.chain.places.clear();
-    for (RawCurve& other : network.curves)
-      std::replace(other.junction.begin(), other.junction.end(), goes, stays);
+    other[static_cast<std::size_t>(goes)] = stays;
   }
+  for (RawCurve& curve : network.curves)
+    for (int& j : curve.junction) j = now(j);
   std::erase_if(network.curves, [](const RawCurve& c) { return c.chain.places.empty(); });
 }
 

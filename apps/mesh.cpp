@@ -50,8 +50,9 @@ void declare(CommandLine& line, MeshCommand& c) {
                  "shorter edges where they would leave a curved surface by more, in spacings; 0: "
                  "nowhere")
       ->type_name("E");
-  line.switch_parameter("--close", c.options.mesher.close,
-                        "close all holes, however wide, as the sheets around them go on");
+  line.switch_parameter(
+      "--close", c.options.mesher.close,
+      "close wide holes too, of up to 2000 edges around, as the sheets there go on");
   declare_features(line, c.projection);
 }
 
@@ -123,6 +124,7 @@ Json mesh_json(const MeshedCloud& meshed, const MeshCommand& c, const Json& para
   json["holes_smooth"] = meshed.sharp.caps_smooth;
   json["holes_taut"] = meshed.sharp.caps_taut;
   json["holes_left"] = meshed.sharp.holes_left;
+  json["holes_long"] = meshed.sharp.holes_long;
   json["handles_cut"] = meshed.sharp.handles_cut;
   json["faults_taken"] = meshed.sharp.faults_taken;
   json["parts"] = meshed.sharp.parts;

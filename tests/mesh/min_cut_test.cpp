@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <stop_token>
 
 #include "spigolo/core/random.h"
 
@@ -61,6 +62,17 @@ TEST(MinCut, NoLabellingIsCheaper) {
       least = std::min(least, price(p, [&](std::size_t i) { return bits >> i & 1; }));
     ASSERT_EQ(price(p, [&](std::size_t i) { return std::size_t{found[i]}; }), least) << run;
   }
+}
+
+TEST(MinCut, CanBeCancelled) {
+  MinCut cut(2);
+  cut.add_node_price(0, 0, 5);
+  cut.add_edge_price(0, 1, 3);
+  std::stop_source source;
+  source.request_stop();
+  Job job;
+  job.stop = source.get_token();
+  EXPECT_THROW(cut.solve(job), Cancelled);
 }
 
 // A field of 60 x 60 nodes: no single node nor pair of neighbors can change to a better label.

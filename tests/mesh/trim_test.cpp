@@ -6,7 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <stop_token>
+
 #include "spigolo/core/parity_sets.h"
+#include "spigolo/mesh/caps.h"
 #include "spigolo/mesh/flips.h"
 #include "spigolo/mesh/handles.h"
 #include "spigolo/mesh/separate.h"
@@ -40,6 +44,37 @@ TEST(Holes, AFillingThatRunsIntoTheMeshGoes) {
   const std::vector<Triangle> before = mesh.triangles;
   EXPECT_EQ(fill_holes(mesh.triangles, mesh.vertices.points, 1), 0U);
   EXPECT_EQ(mesh.triangles, before);
+}
+
+// A cone without its base.
+TEST(Holes, ALongLoopStaysAndIsNamed) {
+  for (const std::size_t n : {longest_loop + 1, std::size_t{100}}) {
+    TriangleMesh cone;
+    cone.vertices.points = {{0, 0, 1}};
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double angle = 2 * pi * i / static_cast<double>(n);
+      cone.vertices.points.push_back({std::cos(angle), std::sin(angle), 0});
+      cone.triangles.push_back({0, i + 1, static_cast<std::uint32_t>((i + 1) % n + 1)});
+    }
+    const bool stays = n > longest_loop;
+    TriangleMesh filled = cone;
+    EXPECT_EQ(fill_holes(filled.triangles, filled.vertices.points, infinity), stays ? 0U : 1U);
+    EXPECT_EQ(check_mesh(filled).border_loops, stays ? 1U : 0U);
+    const CapReport report = close_smoothly(cone, {1, infinity});
+    EXPECT_EQ(report.left, stays ? 1U : 0U);
+    EXPECT_EQ(report.too_long, stays ? 1U : 0U);
+    EXPECT_EQ(report.smooth + report.taut, stays ? 0U : 1U);
+  }
+}
+
+TEST(Holes, FillingCanBeCancelled) {
+  const std::vector<Vec3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  std::stop_source source;
+  Job job;
+  job.stop = source.get_token();
+  EXPECT_EQ(fill_loop(square, job).size(), 2U);
+  source.request_stop();
+  EXPECT_THROW(fill_loop(square, job), Cancelled);
 }
 
 // A ball with two of its triangles joined by a tube.

@@ -53,9 +53,9 @@ class Closer {
       owner_.clear();
       for (std::size_t i = 0; i < loops_.size(); ++i) {
         job.check();
-        add_cap(loops_[i], caps[i]);
+        add_cap(loops_[i], caps[i], job);
         owner_.resize(mesh_.triangles.size() - triangles, i);
-        ++(caps[i] == Cap::none ? report.left : caps[i] == Cap::film ? report.taut : report.smooth);
+        count(caps[i], report);
       }
       if (!give_way(triangles, caps, job)) break;
     }
@@ -63,7 +63,14 @@ class Closer {
   }
 
  private:
-  enum class Cap : std::uint8_t { plate, film, none };
+  enum class Cap : std::uint8_t { plate, film, none, too_long };
+
+  static void count(Cap cap, CapReport& report) {
+    report.smooth += cap == Cap::plate;
+    report.taut += cap == Cap::film;
+    report.left += cap == Cap::none || cap == Cap::too_long;
+    report.too_long += cap == Cap::too_long;
+  }
 
   // Caps that run into the mesh or each other take the next simpler shape. False if none does.
   bool give_way(std::size_t first, std::vector<Cap>& caps, const Job& job) const {
@@ -74,7 +81,7 @@ class Closer {
         if (t >= first) bad[owner_[t - first]] = 1;
     bool any = false;
     for (std::size_t i = 0; i < caps.size(); ++i) {
-      if (!bad[i] || caps[i] == Cap::none) continue;
+      if (!bad[i]) continue;
       caps[i] = caps[i] == Cap::plate ? Cap::film : Cap::none;
       any = true;
     }
@@ -175,15 +182,15 @@ class Closer {
   }
 
   // cap: what to try; becomes what was taken.
-  void add_cap(const BorderLoop& loop, Cap& cap) {
-    if (cap == Cap::none) return;
+  void add_cap(const BorderLoop& loop, Cap& cap, const Job& job) {
+    if (cap == Cap::none || cap == Cap::too_long) return;
     HolePatch patch;
     auto& p = mesh_.vertices.points;
     for (const std::uint32_t v : loop) patch.points.push_back(p[v]);
     patch.border = loop.size();
-    patch.triangles = fill_loop(patch.points);
+    patch.triangles = fill_loop(patch.points, job);
     if (patch.triangles.empty()) {
-      cap = Cap::none;
+      cap = Cap::too_long;
       return;
     }
     refine(patch, options_.step);

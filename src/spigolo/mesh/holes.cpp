@@ -11,8 +11,7 @@
 namespace spigolo {
 namespace {
 
-constexpr std::size_t most_edges = 2000;  // of a loop; the time grows with the cube
-constexpr double price_of_a_fold = 4;     // times the area of a triangle that folds back
+constexpr double price_of_a_fold = 4;  // times the area of a triangle that folds back
 
 // Least sum of areas over all triangulations of a loop, by dynamic programming.
 class Filler {
@@ -22,10 +21,11 @@ class Filler {
     normal_ = normalized(normal_);
   }
 
-  void run(std::vector<Triangle>& out) {
+  void run(std::vector<Triangle>& out, const Job& job) {
     std::vector<double> best(n_ * n_, 0);
     std::vector<std::uint32_t> split(n_ * n_, 0);
     for (std::size_t span = 2; span < n_; ++span) {
+      job.check();
       for (std::size_t i = 0; i + span < n_; ++i) {
         double& least = best[i * n_ + i + span] = infinity;
         for (std::size_t k = i + 1; k < i + span; ++k) {
@@ -90,9 +90,9 @@ std::vector<BorderLoop> find_border_loops(const std::vector<Triangle>& triangles
   return loops;
 }
 
-std::vector<Triangle> fill_loop(const std::vector<Vec3>& loop) {
+std::vector<Triangle> fill_loop(const std::vector<Vec3>& loop, const Job& job) {
   std::vector<Triangle> triangles;
-  if (loop.size() >= 3 && loop.size() <= most_edges) Filler(loop).run(triangles);
+  if (loop.size() >= 3 && loop.size() <= longest_loop) Filler(loop).run(triangles, job);
   return triangles;
 }
 
@@ -108,8 +108,9 @@ std::size_t fill_holes(std::vector<Triangle>& triangles, const std::vector<Vec3>
     std::vector<Vec3> places;
     for (const std::uint32_t v : loop) box.add(points[v]), places.push_back(points[v]);
     if (norm(box.size()) > largest) continue;
-    for (const auto& [a, b, c] : fill_loop(places))
-      triangles.push_back({loop[a], loop[b], loop[c]});
+    const std::vector<Triangle> filling = fill_loop(places, job);
+    if (filling.empty()) continue;
+    for (const auto& [a, b, c] : filling) triangles.push_back({loop[a], loop[b], loop[c]});
     owner.resize(triangles.size() - first, filled++);
   }
   if (filled == 0) return 0;

@@ -39,6 +39,7 @@ void close_holes(double step, const MesherOptions& options, SharpMesh& result, c
       close_smoothly(mesh, {step, options.close ? infinity : options.largest_hole * step}, job);
   result.holes_filled += caps.smooth + caps.taut;
   result.caps_smooth = caps.smooth, result.caps_taut = caps.taut, result.holes_left = caps.left;
+  result.holes_long = caps.too_long;
 }
 
 // Tunnels cut and their ends closed, if that succeeds.
@@ -54,6 +55,7 @@ void undo_handles(double step, const MesherOptions& options, SharpMesh& result, 
   if (borders(without) > borders(result)) return;
   without.handles_cut = cut;
   without.holes_filled = result.holes_filled, without.holes_left = result.holes_left;
+  without.holes_long = result.holes_long;
   without.caps_smooth = result.caps_smooth, without.caps_taut = result.caps_taut;
   result = std::move(without);
 }

@@ -21,7 +21,7 @@ struct MesherOptions {
                                // surface by more; 0: edges of one length everywhere
   double largest_hole = 8;     // [edge lengths, or edges along the hole if they are longer] across;
                                // wider openings are borders of the scan
-  bool close = false;          // fill all holes, however large
+  bool close = false;          // close wider ones too, of up to 2000 edges around
 };
 
 struct SharpMesh {
@@ -32,7 +32,8 @@ struct SharpMesh {
   std::size_t holes_filled = 0;   // border loops closed; of those ...
   std::size_t caps_smooth = 0;    // ... by caps that continue the sheets around
   std::size_t caps_taut = 0;      // ... by films with an edge along the border
-  std::size_t holes_left = 0;     // left open, since a cap would run into the mesh
+  std::size_t holes_left = 0;     // left open, since a cap would run into the mesh or ...
+  std::size_t holes_long = 0;     // ... since more than 2000 edges go around
   std::size_t handles_cut = 0;    // tunnels and strands three edges around
   std::size_t faults_taken = 0;   // triangles taken away because the mesh failed its check there
   std::size_t parts = 0;          // surfaces meshed apart, since one manifold could not hold them

@@ -30,7 +30,7 @@ void MinCut::activate(std::uint32_t node) {
   queue_.push_back(node);
 }
 
-std::vector<std::uint8_t> MinCut::solve() {
+std::vector<std::uint8_t> MinCut::solve(const Job& job) {
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
     Node& node = nodes_[i];
     if (node.terminal == 0) continue;
@@ -39,6 +39,7 @@ std::vector<std::uint8_t> MinCut::solve() {
     activate(i);
   }
   while (queue_head_ < queue_.size()) {
+    job.check();
     const std::uint32_t node = queue_[queue_head_];
     const std::uint32_t arc = nodes_[node].tree == Tree::free ? none : grow(node);
     if (arc == none) {

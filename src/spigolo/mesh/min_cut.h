@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "spigolo/core/job.h"
+
 namespace spigolo {
 
 /// Nodes are labelled 0 or 1 such that the sum of the prices is least. Prices are whole numbers,
@@ -22,7 +24,8 @@ class MinCut {
   void add_edge_price(std::uint32_t a, std::uint32_t b, std::int32_t price);
 
   /// One label a node; of several best labellings the one with most 1s. Ends the use of the object.
-  std::vector<std::uint8_t> solve();
+  /// Throws Cancelled.
+  std::vector<std::uint8_t> solve(const Job& job = {});
 
  private:
   static constexpr std::uint32_t none = 0xffffffffu, root = none - 1, orphan = none - 2;

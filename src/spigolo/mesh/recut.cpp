@@ -48,8 +48,7 @@ class Recut {
       if (node != no_index)
         cut.add_node_price(node, belief.inside ? price : 0, belief.inside ? 0 : price);
     }
-    job.check();
-    const std::vector<std::uint8_t> inside = cut.solve();
+    const std::vector<std::uint8_t> inside = cut.solve(job);
     std::size_t changed = 0;
     for (std::size_t t = 0; t < tets_.size(); ++t) {
       if (node_[t] == no_index) continue;

@@ -35,13 +35,16 @@ using BorderLoop = std::vector<std::uint32_t>;
 std::vector<BorderLoop> find_border_loops(const std::vector<Triangle>& triangles,
                                           std::size_t vertices);
 
-/// The triangulation of least area over the points of a loop; empty for more than 2000.
-std::vector<Triangle> fill_loop(const std::vector<Vec3>& loop);
+/// Edges of the longest loop that is filled: the time grows with the cube.
+inline constexpr std::size_t longest_loop = 2000;
+
+/// The triangulation of least area over the points of a loop; empty for more than `longest_loop`.
+std::vector<Triangle> fill_loop(const std::vector<Vec3>& loop, const Job& job = {});
 
 /// Closes border loops not wider than `largest` (in units of the points, infinite: all) by the
 /// triangulation of least area, which adds no vertex. Loops that visit a vertex twice, those of
-/// more than 2000 edges and those whose filling would run into the mesh stay. Returns how many were
-/// closed.
+/// more than `longest_loop` edges and those whose filling would run into the mesh stay. Returns how
+/// many were closed.
 std::size_t fill_holes(std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
                        double largest, const Job& job = {});
 

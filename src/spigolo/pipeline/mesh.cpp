@@ -162,7 +162,8 @@ void warn(MeshedCloud& result) {
   say(check.nonmanifold_edges + check.nonmanifold_vertices, " places of the mesh are not manifold");
   say(check.self_intersections, " pairs of triangles run into each other");
   say(check.degenerate, " triangles are degenerate");
-  say(result.sharp.holes_left,
+  say(result.sharp.holes_long, " holes stay open, since more than 2000 edges go around them");
+  say(result.sharp.holes_left - result.sharp.holes_long,
       " holes stay open, since whatever closes them would run into the mesh");
   say(check.crease_edges - check.crease_edges_kept, " crease edges are not edges of the mesh");
 }

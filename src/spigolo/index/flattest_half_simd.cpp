@@ -55,7 +55,8 @@ std::size_t try_planes(const Around& e, std::size_t a, std::size_t b, double lea
     hn::StoreU(away, d, off);
     closer = hn::Add(closer, hn::IfThenElseZero(hn::Lt(away, limit), one));
   }
-  const auto half = hn::Gt(closer, hn::Set(d, static_cast<double>(half_of / 2)));
+  constexpr std::size_t middle = half_of / 2;
+  const auto half = hn::Gt(closer, hn::Set(d, static_cast<double>(middle)));
   const auto found = hn::And(hn::And(wide, half), hn::FirstN(d, half_of - b));
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(d, found, bits);

@@ -65,14 +65,14 @@ class Handles {
 
   // Grows from both sides of a loop by turns until they meet or one has nowhere to go.
   bool meet(const std::array<std::uint32_t, 6>& walls) const {
-    std::unordered_map<std::uint32_t, int> side;
+    std::unordered_map<std::uint32_t, std::size_t> side;
     std::array<std::vector<std::uint32_t>, 2> reached;
     std::array<std::size_t, 2> next{};
-    for (const int s : {0, 1}) {
+    for (const std::size_t s : {0u, 1u}) {
       reached[s].push_back(walls[s] / 3);
       side[walls[s] / 3] = s;
     }
-    for (int s = 0; next[s] < reached[s].size(); s = 1 - s) {
+    for (std::size_t s = 0; next[s] < reached[s].size(); s = 1 - s) {
       const std::uint32_t t = reached[s][next[s]++];
       for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
         if (twin_[h] == no_index || std::find(walls.begin(), walls.end(), h) != walls.end())

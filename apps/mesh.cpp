@@ -120,6 +120,7 @@ Json mesh_json(const MeshedCloud& meshed, const MeshCommand& c, const Json& para
   json["non_finite"] = meshed.non_finite;
   json["outliers"] = meshed.outliers;
   json["triangle_quality"] = quality_json(measure_quality(meshed.sharp.mesh));
+  json["length_share"] = meshed.sharp.length_share;
   json["holes_filled"] = meshed.sharp.holes_filled;
   json["holes_smooth"] = meshed.sharp.caps_smooth;
   json["holes_taut"] = meshed.sharp.caps_taut;

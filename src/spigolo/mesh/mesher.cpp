@@ -26,6 +26,8 @@ namespace {
 
 constexpr double narrow_hole = 3;  // [edges] across; triangles from border to border will do
 constexpr int most_repairs = 8, closing_repairs = 2;
+// Times the edge length: other vertices of the same surface may close a mesh that noise tore.
+constexpr double other_lengths[] = {0.9, 0.8, 1.2};
 constexpr double largest_share_of_faults = 0.15;  // of the triangles and of the points left out
 constexpr double no_slip = 0.05;      // the same, where it takes creases along: more than chance
 constexpr double most_creases = 0.2;  // share of their edges that is no edge of the mesh: of clean
@@ -133,6 +135,32 @@ void drop_unused(SharpMesh& result) {
     for (std::uint32_t& v : pair) v = number[v];
 }
 
+// Its borders are accidents, not the ends of a scan.
+bool is_torn(const SharpMesh& mesh) {
+  const bool broken = mesh.parts > 1 || mesh.check.components > 1 || mesh.faults_taken > 0 ||
+                      mesh.holes_left > mesh.holes_long;
+  return broken && !mesh.check.closed();
+}
+
+SharpMesh mesh_once(const SurfacePoints& surface, const FeatureCurves& network,
+                    const MesherOptions& options, double share, const Job& job) {
+  Stopwatch watch;
+  SharpMesh result;
+  result.length_share = share;
+  const EdgeLength edge{surface.spacing * options.edge_length * share,
+                        surface.spacing * options.chord_error};
+  MeshSamples samples = choose_samples(surface, network, edge, job);
+  if (samples.size() < 4) throw NoResultError("fewer than four points on a surface: no mesh");
+  result.seconds_samples = watch.lap();
+  const double step = samples.step;
+  find_surfaces(std::move(samples), surface, result, job);
+  finish(step, options, result, job);
+  take_faults_away(step, options, result, job);
+  result.uncovered =
+      count_uncovered(surface, result.mesh.vertices.points, result.mesh.triangles, step);
+  return result;
+}
+
 }  // namespace
 
 void check_options(const MesherOptions& options) {
@@ -146,21 +174,16 @@ SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
   check_options(options);
   if (!(surface.spacing > 0)) throw UsageError("the spacing of the points to mesh is not positive");
   Stopwatch watch;
-  SharpMesh result;
-  const EdgeLength edge{surface.spacing * options.edge_length,
-                        surface.spacing * options.chord_error};
-  MeshSamples samples = choose_samples(surface, network, edge, job);
-  if (samples.size() < 4) throw NoResultError("fewer than four points on a surface: no mesh");
-  result.seconds_total = result.seconds_samples = watch.lap();
-  const double step = samples.step;
-  find_surfaces(std::move(samples), surface, result, job);
-  finish(step, options, result, job);
-  take_faults_away(step, options, result, job);
-  result.uncovered =
-      count_uncovered(surface, result.mesh.vertices.points, result.mesh.triangles, step);
+  SharpMesh result = mesh_once(surface, network, options, 1, job);
+  const bool noisy = !surface.continued;
+  for (const double share : other_lengths) {
+    if (!noisy || !is_torn(result)) break;
+    SharpMesh other = mesh_once(surface, network, options, share, job);
+    if (other.check.closed() && other.check.sound()) result = std::move(other);
+  }
   refuse_rubble(surface, result);
   drop_unused(result);
-  result.seconds_total += watch.lap();
+  result.seconds_total = watch.lap();
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "spigolo/core/error.h"
@@ -150,6 +151,9 @@ void warn(MeshedCloud& result) {
   say(result.non_finite, " points have a NaN or infinite coordinate; they are left out");
   say(result.outliers, " points lie far from all others; they are left out");
   const MeshCheck& check = result.sharp.check;
+  if (const double share = result.sharp.length_share; share != 1)
+    result.warnings.push_back("edges are " + std::to_string(std::lround(100 * share)) +
+                              " % of the length asked for: with that the mesh stayed open");
   say(result.sharp.uncovered,
       " points lie farther than two edges from the mesh; it leaves out a part of the cloud");
   if (result.sharp.parts > 1)

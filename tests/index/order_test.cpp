@@ -86,8 +86,7 @@ TEST(Order, CopiesAcrossRanges) {
 std::vector<Vec3> square_with_clump(double step) {
   std::vector<Vec3> points = test::random_square(2000, 8);
   Random random(9);
-  for (int i = 0; i < 200; ++i)
-    points.push_back({i * step, random.uniform() * step, 0});
+  for (int i = 0; i < 200; ++i) points.push_back({i * step, random.uniform() * step, 0});
   return points;
 }
 

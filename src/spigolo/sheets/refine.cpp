@@ -86,12 +86,12 @@ SheetVerdict refine(const SheetModel& model, std::uint32_t i, const SheetOptions
 
 void refine_creases(SheetModel& model, const SheetOptions& options, const Job& job) {
   const KdTree tree(model.prepared.cloud);
-  const ProbeReach reach = probe_reach(model.tolerances.noise);
-  const std::size_t k = std::min(reach.k, model.size()) - 1;
+  const ProbeReach probed = probe_reach(model.tolerances.noise);
+  const std::size_t k = std::min(probed.k, model.size()) - 1;
   const std::vector<std::uint32_t> near = candidates(model);
   std::vector<SheetVerdict> refined(near.size());
   parallel_for(job, "creases", near.size(), grain, [&](std::size_t begin, std::size_t end) {
-    SheetProbe probe(model, tree, reach);
+    SheetProbe probe(model, tree, probed);
     RowSearch search(tree, k);
     std::vector<std::uint32_t> rows(together * k);
     for (; begin < end; begin += together) {

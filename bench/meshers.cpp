@@ -50,17 +50,9 @@ MeshVariant marching_cubes(const std::string& filter, double scale, const std::s
           }};
 }
 
-MeshVariant rimls(double scale) {
-  return marching_cubes("RIMLS", scale,
-                        filter_parameter("SigmaN", "RichFloat", "0.75") +
-                            filter_parameter("MaxRefittingIters", "RichInt", "3"));
-}
+MeshVariant rimls(double scale) { return marching_cubes("RIMLS", scale, rimls_parameters()); }
 
-MeshVariant apss(double scale) {
-  return marching_cubes("APSS", scale,
-                        filter_parameter("SphericalParameter", "RichFloat", "1") +
-                            filter_parameter("AccurateNormal", "RichBool", "true"));
-}
+MeshVariant apss(double scale) { return marching_cubes("APSS", scale, apss_parameters()); }
 
 MeshVariant ours() {
   return {"defaults", ".ply",

@@ -104,17 +104,9 @@ SmoothVariant meshlab(const std::string& filter, double scale, const std::string
           }};
 }
 
-SmoothVariant rimls(double scale) {
-  return meshlab("RIMLS", scale,
-                 filter_parameter("SigmaN", "RichFloat", "0.75") +
-                     filter_parameter("MaxRefittingIters", "RichInt", "3"));
-}
+SmoothVariant rimls(double scale) { return meshlab("RIMLS", scale, rimls_parameters()); }
 
-SmoothVariant apss(double scale) {
-  return meshlab("APSS", scale,
-                 filter_parameter("SphericalParameter", "RichFloat", "1") +
-                     filter_parameter("AccurateNormal", "RichBool", "true"));
-}
+SmoothVariant apss(double scale) { return meshlab("APSS", scale, apss_parameters()); }
 
 SmoothVariant bilateral(int k, int rounds) {
   return {
@@ -137,6 +129,16 @@ SmoothVariant bilateral(int k, int rounds) {
 std::string filter_parameter(const char* name, const char* type, const std::string& value) {
   return std::string("<Param name=\"") + name + "\" type=\"" + type + "\" value=\"" + value +
          "\"/>\n";
+}
+
+std::string rimls_parameters() {
+  return filter_parameter("SigmaN", "RichFloat", "0.75") +
+         filter_parameter("MaxRefittingIters", "RichInt", "3");
+}
+
+std::string apss_parameters() {
+  return filter_parameter("SphericalParameter", "RichFloat", "1") +
+         filter_parameter("AccurateNormal", "RichBool", "true");
 }
 
 std::vector<Smoother> smoothers() {

@@ -47,6 +47,10 @@ SmoothTask prepare_task(const RivalPlaces& places, std::vector<Vec3> points,
 /// A parameter of a filter in meshlabserver's script; type is one of its RichFloat, RichInt ...
 std::string filter_parameter(const char* name, const char* type, const std::string& value);
 
+/// The parameters that only RIMLS, or only APSS, has: one setting for points and for meshes.
+std::string rimls_parameters();
+std::string apss_parameters();
+
 /// meshlabserver on a script of one filter; inputs in the order of their numbers there.
 bool run_meshlab(const RivalPlaces& places, const std::vector<fs::path>& inputs,
                  const fs::path& output, const std::string& filter);

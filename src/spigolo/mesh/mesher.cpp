@@ -26,13 +26,13 @@ namespace {
 
 constexpr double narrow_hole = 3;  // [edges] across; triangles from border to border will do
 constexpr int most_repairs = 8, closing_repairs = 2;
-// Times the edge length: other vertices of the same surface may close a mesh that noise tore.
+// Times the edge length: other vertices of the same surface may close a torn mesh.
 constexpr double other_lengths[] = {0.9, 0.8, 1.2};
 constexpr double largest_share_of_faults = 0.15;  // of the triangles and of the points left out
 constexpr double no_slip = 0.05;      // the same, where it takes creases along: more than chance
 constexpr double most_creases = 0.2;  // share of their edges that is no edge of the mesh: of clean
-                                      // surfaces 0.02, of points on edges only 0.4; with noise as
-                                      // large as the spacing 0.19, but then no points are left out
+                                      // surfaces 0.02, of sparse scans and with noise as large as
+                                      // the spacing up to 0.2, of points on edges only 0.4
 
 void close_holes(double step, const MesherOptions& options, SharpMesh& result, const Job& job) {
   TriangleMesh& mesh = result.mesh;
@@ -175,9 +175,9 @@ SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
   if (!(surface.spacing > 0)) throw UsageError("the spacing of the points to mesh is not positive");
   Stopwatch watch;
   SharpMesh result = mesh_once(surface, network, options, 1, job);
-  const bool noisy = !surface.continued;
+  const bool at_points_only = !surface.continued;
   for (const double share : other_lengths) {
-    if (!noisy || !is_torn(result)) break;
+    if (!at_points_only || !is_torn(result)) break;
     SharpMesh other = mesh_once(surface, network, options, share, job);
     if (other.check.closed() && other.check.sound()) result = std::move(other);
   }

@@ -47,9 +47,10 @@ struct SharpMesh {
 void check_options(const MesherOptions& options);
 
 /// surface: about a spacing apart. network: the creases; where some are missing the mesh rounds
-/// them. Where noise (a surface without `continued`) tore the mesh, it is made again with edges .9,
-/// .8 or 1.2 times as long, and taken if that closes it. Throws UsageError for options out of
-/// range, NoResultError if there is nothing to mesh, Cancelled.
+/// them. A torn mesh of a surface that is known at its points only (without `continued`: noise, or
+/// the thesis's projections) is made again with edges .9, .8 and 1.2 times as long; the first that
+/// closes is taken. Throws UsageError for options out of range, NoResultError if there is nothing
+/// to mesh, Cancelled.
 SharpMesh build_mesh(const SurfacePoints& surface, const FeatureCurves& network,
                      const MesherOptions& options = {}, const Job& job = {});
 

@@ -208,7 +208,7 @@ class CreaseRecovery {
     return found;
   }
 
-  // Of the triangles at x the one that v lies over, or the edge between two of them.
+  // Of the triangles at x the one that v lies over, or else the next.
   bool into_triangle(std::uint32_t x, std::uint32_t v) {
     const Vec3 d = points_[v] - points_[x];
     std::vector<std::pair<double, std::uint32_t>> order;

@@ -25,8 +25,6 @@ constexpr std::size_t prepared_k = 20;  // neighbors that spacing, noise and lab
 constexpr double lone = 2.5;            // times the spacing of its neighbors: a flying point
 constexpr std::size_t lone_neighbors = 9;
 constexpr double disagreement = 0.15;  // [spacings] of sheets continued to one place
-constexpr double exact_noise = 0.02;   // [spacings] with more, the points of the surface around say
-                                       // better than own sheets where it goes on: those bend
 constexpr double farthest_move = 1.0;  // [spacings] a point moved farther is on no sheet ...
 constexpr double move_by_noise = 4;    // ... plus so many times the noise
 
@@ -118,14 +116,15 @@ SurfacePoints on_sheets(const SharpSurface& surface, MeshedCloud& result, const 
     else if (!out.points[i].valid())
       out.loose.push_back(prepared.cloud.points[i] + prepared.cloud.origin);
   out.disagreement = out.spacing * (disagreement + prepared.noise);
-  if (prepared.noise > exact_noise) return out;
+  // With noise the points around say better than own sheets where the surface goes on: those bend.
+  if (!surface.model().tolerances.exact()) return out;
   out.continued = [&surface](std::uint32_t near, const Vec3& query) {
     return on_sheet(surface.model().own[near], query, surface.origin());
   };
   return out;
 }
 
-// The thesis's projections; between their points the surface is flat.
+// The thesis's projections; between their points nothing is known of the surface.
 SurfacePoints by_neighbors(std::span<const Vec3> points, const MeshOptions& options,
                            const Job& job) {
   SmoothOptions smoothing;
@@ -153,7 +152,7 @@ void warn(MeshedCloud& result) {
   const MeshCheck& check = result.sharp.check;
   if (const double share = result.sharp.length_share; share != 1)
     result.warnings.push_back("edges are " + std::to_string(std::lround(100 * share)) +
-                              " % of the length asked for: with that the mesh stayed open");
+                              " % of the length asked for, at which the mesh stayed open");
   say(result.sharp.uncovered,
       " points lie farther than two edges from the mesh; it leaves out a part of the cloud");
   if (result.sharp.parts > 1)
